@@ -1,0 +1,156 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "city_db/issues.hpp"
+#include "city_db/units.hpp"
+
+/// The records of a city (DESIGN §4): what the generator writes and everybody else reads. Nouns only.
+///
+/// Frame   plan lattice (mm) for everything in plan, metres above ground for heights.
+/// Rings   closed implicitly (last point differs from the first), outer counter-clockwise, holes clockwise:
+///         the inside is always on the left of a ring's edges.
+namespace vicus {
+
+using Ring = std::vector<PlanPoint>;
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+/// Triangles of a polygon: three indices each, counter-clockwise seen from above, into the polygon's points counted
+/// through the outer ring, then each hole.
+using Triangles = std::vector<std::uint32_t>;
+using Tags = std::map<std::string, std::string>;
+
+enum class SectorKind { street, crossroads, square, yard, passage, open };
+
+/// Paper 004 §4.1: ground + border + gates + objects + viewpoints + L_vis. The lists live in City, by sector id.
+struct Sector {
+  std::string id;                  ///< unique and stable; [A-Za-z0-9_-]+
+  SectorKind kind = SectorKind::street;
+  std::string name;                ///< the street's or square's name, may be empty
+  std::vector<std::string> names;  ///< every street name it bears (a crossroads bears all its streets')
+  Polygon ground;                  ///< walkable; holes are islands, houses standing in a square, ...
+  Triangles ground_triangles;
+  PlanPoint origin;                ///< of the sector frame
+  std::uint64_t bytes = 0;         ///< as sent (brotli), without textures shared by the city
+};
+
+enum class GateKind { street, yard, kerb, passage, end_of_city };
+
+/// A stretch of ground edge one can walk (or, out of the city, only look) through.
+struct Gate {
+  std::string id;
+  std::string sector_id;
+  std::string to_sector_id;     ///< empty: out of the city
+  std::string twin_id;          ///< empty: out of the city
+  GateKind kind = GateKind::street;
+  std::vector<PlanPoint> line;  ///< >= 2 points, sector_id's ground on the left; the twin has them reversed
+};
+
+enum class BorderKind { facade, wall, fence, bank, edge };
+
+/// A stretch of ground edge that stops a walker; ground on the left. One building and one kind each.
+struct Border {
+  std::string sector_id;
+  std::string building_id;  ///< facade only
+  BorderKind kind = BorderKind::facade;
+  double height_m = 0;      ///< wall, fence: top above ground; facade: see the building; bank, edge: 0
+  std::vector<PlanPoint> line;
+};
+
+enum class HeightSource { measured, levels, guessed };
+
+/// A wall of a house that bounds no sector's ground and yet may be seen: the part of a party wall above a lower
+/// neighbour, or a wall to ground that was closed off. House on the left.
+struct SideWall {
+  PlanPoint a, b;
+  double bottom_m = 0;
+};
+
+struct Building {
+  std::string id, source_id, name;
+  std::string sector_id;  ///< the sector that sends its roof and side walls
+  Polygon footprint;      ///< as noded with its neighbours
+  double base_m = 0;      ///< underside above ground; > 0: one walks below, the footprint blocks nothing
+  double height_m = 0;    ///< top of the roof above ground
+  double eave_m = 0;      ///< top of the facades above ground
+  std::string roof_shape; ///< OSM roof:shape, "flat" where unknown
+  HeightSource height_source = HeightSource::guessed;
+  Triangles roof_triangles;
+  std::vector<SideWall> side_walls;
+  Tags tags;              ///< building:colour, building:material, roof:colour, addr:*, ... for the models
+};
+
+enum class ObstacleKind { water, wall, fence, island, yard, courtyard };
+
+/// Ground inside the domain that is neither house nor walkable: W = domain - buildings on the ground - obstacles.
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::water;
+  std::string source_id;
+  double height_m = 0;
+  Polygon area;
+};
+
+/// A street's, path's or square's centre line as it was used: for names, maps and checks.
+struct Street {
+  std::string source_id, name, kind;  ///< kind: OSM highway value
+  double width_m = 0;
+  bool is_passage = false, is_bridge = false, is_steps = false;
+  std::vector<PlanPoint> line;
+};
+
+struct StandaloneObject {
+  std::string id, sector_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, ...
+  PlanPoint at;
+  double height_m = 0;
+  Tags tags;
+};
+
+struct Viewpoint {
+  std::string id, sector_id, kind, name;  ///< kind: start, gate, square
+  PlanPoint at;
+  double eye_m = 1.7;
+  double heading_deg = 0;  ///< clockwise from north
+};
+
+struct Visible {
+  std::string sector_id, visible_sector_id, reason;  ///< self, gate, line_of_sight, over_roofs, important
+};
+
+/// Bytes under a URL path. One row per coding of the same path; `coding` is "identity", "gzip" or "br".
+struct Artefact {
+  std::string path, media_type, coding, hash, body;
+};
+
+struct City {
+  std::map<std::string, std::string> meta;  ///< keys: see city_db/FORMAT.md
+  LatLon origin;
+  std::vector<Sector> sectors;
+  std::vector<Gate> gates;
+  std::vector<Border> borders;
+  std::vector<Building> buildings;
+  std::vector<Obstacle> obstacles;
+  std::vector<Polygon> domain;
+  std::vector<Street> streets;
+  std::vector<StandaloneObject> objects;
+  std::vector<Viewpoint> viewpoints;
+  std::vector<Visible> visible;
+  std::vector<Issue> issues;
+};
+
+/// Names as stored in the file and in JSON; the inverse returns false for an unknown name.
+const char* name_of(SectorKind);
+const char* name_of(GateKind);
+const char* name_of(BorderKind);
+const char* name_of(ObstacleKind);
+const char* name_of(HeightSource);
+bool parse_name(const std::string&, SectorKind&);
+bool parse_name(const std::string&, GateKind&);
+bool parse_name(const std::string&, BorderKind&);
+bool parse_name(const std::string&, ObstacleKind&);
+bool parse_name(const std::string&, HeightSource&);
+
+}  // namespace vicus

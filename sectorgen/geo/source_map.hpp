@@ -1,0 +1,83 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "city_db/city.hpp"
+
+/// The map as read: every feature valid by itself, in the plan frame, on the 1 mm lattice. Not yet noded with its
+/// neighbours: features may overlap, touch and cross each other.
+namespace vicus {
+
+/// One simple polygon per row: a multipolygon becomes several footprints with the same source_id.
+struct Footprint {
+  std::string source_id;  ///< way/123, relation/45, or LAYER#FID
+  std::string name;
+  Polygon area;           ///< valid: simple rings, outer counter-clockwise, holes clockwise inside it
+  double base_m = 0;      ///< min_height, or min_level x storey height; building=roof, canopy: > 0
+  double height_m = 0;    ///< top, > base_m
+  double eave_m = 0;
+  std::string roof_shape = "flat";
+  HeightSource height_source = HeightSource::guessed;
+  bool is_part = false;   ///< building:part
+  Tags tags;
+};
+
+/// A centre line that makes the ground walkable: street, square's path, passage, steps.
+struct Axis {
+  std::string source_id, name;
+  std::string kind;           ///< highway value; "unknown" where the source names none
+  double width_m = 0;         ///< carriageway and pavements as tagged, or typical for the kind; > 0
+  bool is_passage = false;    ///< tunnel=building_passage (or covered)
+  bool is_bridge = false, is_steps = false;
+  std::vector<PlanPoint> line;  ///< >= 2 points, consecutive ones differ
+};
+
+enum class AreaKind { square, park, water, plot };
+
+struct Area {
+  std::string source_id, name;
+  AreaKind kind = AreaKind::square;
+  Polygon area;  ///< valid, as in Footprint
+};
+
+struct Barrier {
+  std::string source_id;
+  bool is_wall = true;  ///< else a fence
+  double height_m = 2, thickness_m = 0.3;
+  std::vector<PlanPoint> line;           ///< closed when the first and last point are equal
+  std::vector<PlanPoint> openings;       ///< barrier=gate, entrance, ... on it
+};
+
+struct PointObject {
+  std::string source_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, door, ...
+  PlanPoint at;
+  double height_m = 0;
+  Tags tags;
+};
+
+struct SourceMap {
+  LatLon origin;
+  std::vector<Footprint> footprints;
+  std::vector<Axis> axes;
+  std::vector<Area> areas;
+  std::vector<Barrier> barriers;
+  std::vector<PointObject> objects;
+  std::vector<Polygon> boundary;      ///< --boundary; empty: the domain is derived
+  std::vector<std::string> licences;  ///< attribution lines, deduplicated, e.g. "© OpenStreetMap contributors, ODbL 1.0"
+};
+
+struct LoadOptions {
+  std::vector<std::filesystem::path> inputs;
+  std::optional<std::string> buildings_layer, streets_layer;  ///< FILE or FILE:LAYER, else recognised
+  std::optional<std::filesystem::path> boundary;
+  std::optional<LatLon> origin;  ///< else the centre of the footprints' box
+};
+
+/// Reads every input into one plan frame (GeographicLib transverse Mercator, scale 1 at the origin).
+/// Faults of single features become issues; the feature is repaired or left out.
+/// Fails   CityError: a file that cannot be opened or is no map, a missing or absurd CRS, no feature at all (exit 4).
+SourceMap load_source_map(const LoadOptions& options, std::vector<Issue>& issues);
+
+}  // namespace vicus
