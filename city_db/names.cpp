@@ -1,0 +1,81 @@
+#include <array>
+#include <utility>
+
+#include "city_db/city.hpp"
+
+namespace vicus {
+namespace {
+
+template <class E>
+using Names = std::initializer_list<std::pair<E, const char*>>;
+
+constexpr Names<SectorKind> kSectorKinds = {
+    {SectorKind::street, "street"}, {SectorKind::crossroads, "crossroads"}, {SectorKind::square, "square"},
+    {SectorKind::yard, "yard"},     {SectorKind::passage, "passage"},       {SectorKind::open, "open"}};
+constexpr Names<GateKind> kGateKinds = {{GateKind::street, "street"},
+                                        {GateKind::yard, "yard"},
+                                        {GateKind::kerb, "kerb"},
+                                        {GateKind::passage, "passage"},
+                                        {GateKind::end_of_city, "end_of_city"}};
+constexpr Names<BorderKind> kBorderKinds = {{BorderKind::facade, "facade"},
+                                            {BorderKind::wall, "wall"},
+                                            {BorderKind::fence, "fence"},
+                                            {BorderKind::bank, "bank"},
+                                            {BorderKind::edge, "edge"}};
+constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"},   {ObstacleKind::wall, "wall"},
+                                                {ObstacleKind::fence, "fence"},   {ObstacleKind::island, "island"},
+                                                {ObstacleKind::yard, "yard"},     {ObstacleKind::courtyard, "courtyard"}};
+constexpr Names<HeightSource> kHeightSources = {
+    {HeightSource::measured, "measured"}, {HeightSource::levels, "levels"}, {HeightSource::guessed, "guessed"}};
+constexpr Names<IssueCode> kIssueCodes = {
+    {IssueCode::unreadable_feature, "unreadable_feature"},
+    {IssueCode::outside_limits, "outside_limits"},
+    {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
+    {IssueCode::ring_open, "ring_open"},
+    {IssueCode::ring_self_intersection, "ring_self_intersection"},
+    {IssueCode::ring_too_few_points, "ring_too_few_points"},
+    {IssueCode::duplicate, "duplicate"},
+    {IssueCode::sliver, "sliver"},
+    {IssueCode::overlap, "overlap"},
+    {IssueCode::gap, "gap"},
+    {IssueCode::building_in_street, "building_in_street"},
+    {IssueCode::no_height, "no_height"},
+    {IssueCode::absurd_height, "absurd_height"},
+    {IssueCode::hole_outside, "hole_outside"},
+    {IssueCode::incomplete_relation, "incomplete_relation"},
+    {IssueCode::part_outside, "part_outside"},
+    {IssueCode::unmapped_street, "unmapped_street"},
+    {IssueCode::street_too_short, "street_too_short"},
+    {IssueCode::over_budget, "over_budget"},
+    {IssueCode::yard_closed, "yard_closed"},
+    {IssueCode::not_reached, "not_reached"}};
+
+template <class E>
+const char* find_name(const Names<E>& names, E value) {
+  for (const auto& [v, n] : names)
+    if (v == value) return n;
+  return "?";
+}
+
+template <class E>
+bool find_value(const Names<E>& names, const std::string& name, E& value) {
+  for (const auto& [v, n] : names)
+    if (name == n) return value = v, true;
+  return false;
+}
+
+}  // namespace
+
+const char* name_of(SectorKind k) { return find_name(kSectorKinds, k); }
+const char* name_of(GateKind k) { return find_name(kGateKinds, k); }
+const char* name_of(BorderKind k) { return find_name(kBorderKinds, k); }
+const char* name_of(ObstacleKind k) { return find_name(kObstacleKinds, k); }
+const char* name_of(HeightSource s) { return find_name(kHeightSources, s); }
+const char* name_of(IssueCode c) { return find_name(kIssueCodes, c); }
+bool parse_name(const std::string& s, SectorKind& k) { return find_value(kSectorKinds, s, k); }
+bool parse_name(const std::string& s, GateKind& k) { return find_value(kGateKinds, s, k); }
+bool parse_name(const std::string& s, BorderKind& k) { return find_value(kBorderKinds, s, k); }
+bool parse_name(const std::string& s, ObstacleKind& k) { return find_value(kObstacleKinds, s, k); }
+bool parse_name(const std::string& s, HeightSource& k) { return find_value(kHeightSources, s, k); }
+
+}  // namespace vicus
