@@ -1,0 +1,12 @@
+# The X3D Script's one file: cmake -DOUT=loader.js -P bundle_loader.cmake
+# An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`.
+set(modules core/planGeometry.js core/sectorRecord.js core/SectorPlanner.js x3d/xIteInline.js x3d/recordMetadata.js
+            x3d/InlineSectors.js x3d/SectorLoader.js x3d/loader.js)
+set(bundle "ecmascript:\n")
+foreach(module ${modules})
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/${module} text)
+  string(REGEX REPLACE "(^|\n)import [^\n]*;" "\\1" text "${text}")
+  string(REGEX REPLACE "(^|\n)export " "\\1" text "${text}")
+  string(APPEND bundle "${text}")
+endforeach()
+file(WRITE ${OUT} "${bundle}")

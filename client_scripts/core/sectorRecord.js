@@ -1,0 +1,46 @@
+import { latticePoint, millimetres } from './planGeometry.js';
+
+const kShapesWhereUnknown = 10;
+
+/**
+ * A sector as the core knows it, from its record (client_scripts/README.md): plan lattice throughout.
+ * `ground` is null while only a neighbour has told of it.
+ *
+ * Fails   Error: the record lacks an id, an origin or a box of numbers, or a gate's line.
+ */
+export function sectorFromRecord(record) {
+    const sector = sectorFromNeighbour(record);
+    if (!Array.isArray(record.ground) || record.ground.length === 0)
+        throw new Error(`sector ${record.id}: its record has no ground`);
+    sector.kind = record.kind ?? '';
+    sector.name = record.name ?? '';
+    sector.ground = record.ground.map(ring => ring.map(latticePoint));
+    sector.gates = (record.gates ?? []).map(gate => gateFromRecord(gate, record.id));
+    sector.visible = [...(record.visible ?? [])];
+    sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
+    return sector;
+}
+
+export function sectorFromNeighbour(record) {
+    const origin = numbers(record.origin, 2), box = numbers(record.box, 4);
+    if (!record.id || !origin || !box)
+        throw new Error(`a sector's record needs id, origin and box, found ${JSON.stringify(record).slice(0, 200)}`);
+    return { id: record.id, origin, box: box.map(millimetres), shapes: record.shapes ?? kShapesWhereUnknown, ground: null };
+}
+
+function gateFromRecord(gate, sectorId) {
+    if (!Array.isArray(gate.line) || gate.line.length < 2)
+        throw new Error(`sector ${sectorId}: gate ${gate.id} has no line`);
+    return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', line: gate.line.map(latticePoint) };
+}
+
+function numbers(list, count) {
+    const plain = list && Array.from(list).slice(0, count);
+    return plain && plain.length === count && plain.every(Number.isFinite) ? plain : null;
+}
+
+/** L_1 (paper 004 §5.1): the sector itself, what it lists as visible, and where its gates lead; itself first. */
+export function firstLevel(sector) {
+    const gateNeighbours = (sector.gates ?? []).map(gate => gate.to).filter(Boolean);
+    return [...new Set([sector.id, ...gateNeighbours, ...(sector.visible ?? [])])];
+}

@@ -1,0 +1,49 @@
+import { inlinePhase, inlineScene } from './xIteInline.js';
+import { recordFromScene } from './recordMetadata.js';
+
+/**
+ * Shows and hides sectors as Inlines of the root world: Transform (the sector's origin) > Inline.
+ *
+ * Frame   origins in plan metres, [east, north]; the root world's axes are x = east, y = up, z = -north.
+ * Differs paper 004 §5 deletes the Inline (VRML97); X3D has Inline.load, so the nodes stay and only the content goes.
+ */
+export class InlineSectors {
+    /** `scene` creates nodes; ids, inlines run in step. */
+    constructor({ scene, world, base, ids, inlines }) {
+        this.scene = scene;
+        this.world = world;
+        this.base = base;
+        this.inlines = new Map(Array.from(ids).map((id, i) => [id, inlines[i]]));
+    }
+
+    show(id, origin) {
+        const inline = this.inlines.get(id) ?? this.create(id, origin);
+        if (inline.load) inline.url = inline.url;   // a failed Inline starts again only when its url is set
+        else inline.load = true;
+    }
+
+    hide(id) {
+        this.inlines.get(id).load = false;
+    }
+
+    phase(id) {
+        return inlinePhase(this.inlines.get(id));
+    }
+
+    /** Needs   phase(id) == 'live'. */
+    record(id) {
+        return recordFromScene(inlineScene(this.inlines.get(id)));
+    }
+
+    create(id, origin) {
+        const place = this.scene.createNode('Transform'), inline = this.scene.createNode('Inline');
+        inline.load = false;
+        inline.url[0] = `${this.base}${id}.x3d`;
+        place.translation.x = origin[0];
+        place.translation.z = -origin[1];
+        place.children[0] = inline;
+        this.world.children[this.world.children.length] = place;
+        this.inlines.set(id, inline);
+        return inline;
+    }
+}

@@ -1,0 +1,152 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { SectorPlanner } from '../../../../client_scripts/core/SectorPlanner.js';
+import { firstLevel } from '../../../../client_scripts/core/sectorRecord.js';
+import { streetRecords } from '../../../support/streetRecords.js';
+
+/** A visitor in the street: every load arrives `delay` frames later (60 frames a second). */
+class Visit {
+    constructor({ start = 's0', options = {}, delay = 3, records = streetRecords(), broken = new Set() } = {}) {
+        this.records = new Map(records.map(record => [record.id, record]));
+        this.planner = new SectorPlanner(start, options);
+        this.planner.addNeighbour(this.records.get(start));
+        Object.assign(this, { delay, broken, now: 0, pending: [], live: new Set(), asked: [], unloads: [], perFrame: 0 });
+    }
+
+    frame(position) {
+        this.now += 1 / 60;
+        for (const job of this.pending.filter(job => job.due <= this.now)) this.settle(job.id);
+        this.pending = this.pending.filter(job => job.due > this.now);
+        const plan = this.planner.plan(position, this.now);
+        for (const id of plan.unload) this.live.delete(id), this.unloads.push(id);
+        for (const id of plan.load) this.asked.push(id), this.pending.push({ id, due: this.now + this.delay / 60 });
+        this.perFrame = Math.max(this.perFrame, plan.load.length);
+        return plan;
+    }
+
+    settle(id) {
+        if (this.broken.has(id)) return this.planner.failed(id, this.now);
+        this.live.add(id);
+        this.planner.arrived(id, this.records.get(id));
+    }
+
+    stay(position, seconds) {
+        for (let i = 0; i < seconds * 60; ++i) this.frame(position);
+        return this;
+    }
+
+    walk(from, to, speed = 1.5) {
+        const length = Math.hypot(to[0] - from[0], to[1] - from[1]), frames = Math.ceil(length / speed * 60);
+        for (let i = 0; i <= frames; ++i)
+            this.frame([from[0] + (to[0] - from[0]) * i / frames, from[1] + (to[1] - from[1]) * i / frames]);
+        return this;
+    }
+
+    get liveIds() {
+        return [...this.live].sort();
+    }
+}
+
+test('the first sector comes first, then its gate neighbours, one asked for per frame', () => {
+    const visit = new Visit({ start: 's2' }).stay([100, 5], 1);
+    assert.equal(visit.asked[0], 's2');
+    assert.deepEqual(visit.liveIds, ['s1', 's2', 's3', 'yard']);
+    assert.equal(visit.perFrame, 1);
+});
+
+test('before the visitor\'s place is known the start sector is current', () => {
+    const visit = new Visit({ start: 's2' }).stay(null, 1);
+    assert.equal(visit.planner.current, 's2');
+    assert.deepEqual(visit.liveIds, ['s1', 's2', 's3', 'yard']);
+});
+
+test('along the street and back: L_1 is there at every moment, what was left goes after keepSeconds, nothing is asked twice', () => {
+    const visit = new Visit({ options: { keepSeconds: 10 } }).stay([20, 5], 1);
+    for (let i = 1; i < 6; ++i) {
+        visit.walk([40 * i - 20, 5], [40 * i + 20, 5]);
+        assert.equal(visit.planner.current, `s${i}`);
+        for (const id of firstLevel(visit.planner.sectors.get(`s${i}`))) assert.ok(visit.live.has(id), `${id} at s${i}`);
+    }
+    assert.deepEqual(visit.stay([220, 5], 11).liveIds, ['s4', 's5']);
+    const asked = [...visit.asked];
+    assert.equal(new Set(asked).size, asked.length, `asked twice: ${asked}`);
+    assert.ok(!asked.includes('s6'));
+});
+
+test('turning round at a gate within the hysteresis changes nothing', () => {
+    const visit = new Visit().stay([20, 5], 1);
+    for (let i = 0; i < 5; ++i) visit.walk([39, 5], [40.45, 5]).walk([40.45, 5], [39, 5]);
+    assert.equal(visit.planner.current, 's0');
+    visit.walk([39, 5], [40.6, 5]);
+    assert.equal(visit.planner.current, 's1');
+    visit.walk([40.6, 5], [39.6, 5]);
+    assert.equal(visit.planner.current, 's1');
+    visit.walk([39.6, 5], [39.4, 5]);
+    assert.equal(visit.planner.current, 's0');
+    assert.deepEqual(visit.unloads, []);
+});
+
+test('a walker who turns back within keepSeconds finds the sector there', () => {
+    const visit = new Visit({ options: { keepSeconds: 10 } }).stay([20, 5], 1).walk([20, 5], [85, 5]).stay([85, 5], 3).walk([85, 5], [20, 5]);
+    assert.equal(visit.asked.filter(id => id === 's0').length, 1);
+    assert.deepEqual(visit.unloads.includes('s0'), false);
+});
+
+test('in a hole of the ground, or in no ground, the current sector stays', () => {
+    const visit = new Visit({ start: 'yard' }).stay([100, 13], 1);
+    assert.equal(visit.frame([100, 20]).current, 'yard');
+    assert.equal(visit.frame([500, 500]).current, 'yard');
+});
+
+test('after a jump every known ground is tested, and an unloaded sector whose box holds the visitor is asked for', () => {
+    const visit = new Visit({ options: { keepSeconds: 1 } }).stay([20, 5], 1).walk([20, 5], [180, 5]).stay([180, 5], 2);
+    assert.equal(visit.frame([20, 5]).current, 's0');
+
+    const blind = new Visit().stay([20, 5], 1);
+    blind.planner.addNeighbour(blind.records.get('s4'));
+    assert.equal(blind.stay([180, 5], 1).planner.current, 's4');
+});
+
+test('the list of visible sectors extends L_1 when the record has one', () => {
+    const records = streetRecords();
+    records[0].visible = ['s0', 's3'];
+    records[0].neighbours.push({ ...records[3], ground: undefined });
+    assert.deepEqual(firstLevel(records[0]), ['s0', 's1', 's3']);
+    assert.deepEqual(new Visit({ records }).stay([20, 5], 1).liveIds, ['s0', 's1', 's3']);
+});
+
+test('a sector that cannot be had is asked for after 1, 2, 4, ... 30 s, and comes when it can be had', () => {
+    const visit = new Visit({ broken: new Set(['s1']), delay: 0 });
+    const times = [];
+    for (let i = 0; i < 60 * 100; ++i) if (visit.frame([20, 5]).load.includes('s1')) times.push(visit.now);
+    const waits = times.slice(1).map((time, i) => Math.round(time - times[i]));
+    assert.deepEqual(waits, [1, 2, 4, 8, 16, 30, 30]);
+    visit.broken.clear();
+    assert.ok(visit.stay([20, 5], 31).live.has('s1'));
+});
+
+test('live Shapes stay under the cap: what was left the longest ago goes first, the farthest is not asked for', () => {
+    const records = streetRecords(6).map(record => ({ ...record, shapes: 100,
+        neighbours: record.neighbours.map(neighbour => ({ ...neighbour, shapes: 100 })) }));
+    const visit = new Visit({ records, options: { shapeCap: 350, keepSeconds: 1e6 } }).stay([20, 5], 1);
+    for (let x = 20; x < 220; x += 0.1) {
+        visit.frame([x, 5]);
+        assert.ok(visit.planner.liveShapes() <= 350, `${visit.planner.liveShapes()} at ${x}`);
+        assert.ok(visit.live.has(visit.planner.current));
+    }
+    assert.equal(visit.unloads[0], 's0');
+});
+
+test('at most three are on their way at a time', () => {
+    const visit = new Visit({ start: 's2', delay: 600 });
+    visit.settle('s2');
+    visit.stay([100, 5], 5);
+    assert.equal(visit.asked.length, 3);
+});
+
+test('a record that belongs to another sector, or lacks its ground, is refused by name', () => {
+    const planner = new SectorPlanner('s0'), [s0, s1] = streetRecords();
+    assert.throws(() => planner.arrived('s0', s1), /asked for sector s0, the file's record says s1/);
+    assert.throws(() => planner.arrived('s0', { ...s0, ground: [] }), /sector s0: its record has no ground/);
+    assert.throws(() => planner.addNeighbour({ id: 's9', origin: [0, 'x'], box: [0, 0, 1, 1] }), /needs id, origin and box/);
+});

@@ -1,0 +1,99 @@
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { recordFromMetadata } from '../../../../client_scripts/x3d/recordMetadata.js';
+import { FakeInline, FakeNode, metadataOf } from '../../../support/fakeScene.js';
+import { streetRecords } from '../../../support/streetRecords.js';
+
+const kScripts = fileURLToPath(new URL('../../../../client_scripts/', import.meta.url));
+
+/** The text an X3D Script gets: made as the build makes it. */
+function bundle() {
+    const folder = mkdtempSync(join(tmpdir(), 'vicus-loader-'));
+    try {
+        execFileSync('cmake', [`-DOUT=${folder}/loader.js`, '-P', `${kScripts}bundle_loader.cmake`]);
+        return readFileSync(`${folder}/loader.js`, 'utf8');
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+}
+
+/** Runs the bundle as a browser does: sloppy code with the Script's fields in scope by name. */
+function runScript(fields) {
+    const text = bundle().replace(/^ecmascript:/, '');
+    const run = new Function('fields', `with (fields) { ${text}; return { initialize, set_position, prepareEvents }; }`);
+    const script = run(fields);
+    script.initialize();
+    return script;
+}
+
+function rootWorld(start, records) {
+    const served = new Map(records.map(record => [`sectors/${record.id}.x3d`, record]));
+    const inline = new FakeInline(served);
+    inline.load = false;
+    inline.url = [`sectors/${start}.x3d`];
+    Object.assign(inline, { bboxCenter: { x: 0, y: 0, z: 0 }, bboxSize: { x: 40, y: 20, z: 10 } });
+    const [east, north] = records.find(record => record.id === start).origin;
+    const fields = {
+        start, base: 'sectors/', ids: [start], inlines: [inline], origins: [{ x: east, y: 0, z: -north }], sector_changed: '',
+        world: new FakeNode('Group'), printed: [],
+        Browser: { currentScene: { createNode: type => (type === 'Inline' ? new FakeInline(served) : new FakeNode(type)) } },
+    };
+    fields.Browser.println = text => fields.printed.push(text);
+    return fields;
+}
+
+const frames = (script, count) => { for (let i = 0; i < count; ++i) script.prepareEvents(); };
+const shown = fields => [fields.inlines[0], ...fields.world.children.map(place => place.children[0])]
+    .filter(inline => inline.load).map(inline => inline.url[0]).sort();
+
+test('a MetadataSet gives back the record it was made from', () => {
+    for (const record of streetRecords()) {
+        const read = recordFromMetadata(metadataOf(record));
+        for (const key of ['id', 'kind', 'name', 'origin', 'box', 'ground', 'shapes']) assert.deepEqual(read[key], record[key], key);
+        assert.deepEqual(read.gates.map(({ id, to, line }) => ({ id, to, line })), record.gates);
+        assert.deepEqual(read.neighbours.map(({ id, origin, box }) => ({ id, origin, box })),
+            record.neighbours.map(({ id, origin, box }) => ({ id, origin, box })));
+    }
+});
+
+test('ground_counts that do not add up are refused', () => {
+    const set = metadataOf(streetRecords()[0]);
+    set.value.find(item => item.name === 'ground_counts').value = [5];
+    assert.throws(() => recordFromMetadata(set), /sector s0: ground_counts 5 do not add up to its 4 points/);
+});
+
+test('the bundled Script loads its start, then the neighbours the record tells of, placed at their origins', () => {
+    const fields = rootWorld('s2', streetRecords()), script = runScript(fields);
+    assert.equal(fields.sector_changed, 's2');
+    frames(script, 10);
+    assert.deepEqual(shown(fields), ['sectors/s1.x3d', 'sectors/s2.x3d', 'sectors/s3.x3d', 'sectors/yard.x3d']);
+    const yard = fields.world.children.find(place => place.children[0].url[0] === 'sectors/yard.x3d');
+    assert.deepEqual([yard.translation.x, yard.translation.z], [100, -20]);
+});
+
+test('the bundled Script follows the visitor and says so', () => {
+    const fields = rootWorld('s0', streetRecords()), script = runScript(fields);
+    frames(script, 5);
+    script.set_position({ x: 41, y: 1.7, z: -5 });
+    frames(script, 5);
+    assert.equal(fields.sector_changed, 's1');
+    assert.ok(shown(fields).includes('sectors/s2.x3d'));
+});
+
+test('a sector that fails, or carries no record, is reported by name and does not stop the others', () => {
+    const records = streetRecords(), fields = rootWorld('s2', records);
+    const script = runScript(fields);
+    FakeInline.broken.add('sectors/s1.x3d');
+    FakeInline.bare.add('sectors/s3.x3d');
+    frames(script, 20);
+    FakeInline.broken.clear();
+    FakeInline.bare.clear();
+    assert.ok(fields.printed.some(text => text.includes('sector s1 cannot be fetched')), fields.printed.join());
+    assert.ok(fields.printed.some(text => text.includes('carries no RECORD')), fields.printed.join());
+    assert.ok(shown(fields).includes('sectors/yard.x3d'));
+});
