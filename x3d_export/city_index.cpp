@@ -1,0 +1,92 @@
+#include "x3d_export/city_index.hpp"
+
+#include <algorithm>
+
+namespace vicus {
+namespace {
+
+template <class T>
+const std::vector<const T*>& find_list(const std::map<std::string, std::vector<const T*>>& lists,
+                                       const std::string& key) {
+  static const std::vector<const T*> kNone;
+  const auto at = lists.find(key);
+  return at == lists.end() ? kNone : at->second;
+}
+
+template <class T>
+void sort_by_id(std::map<std::string, std::vector<const T*>>& lists) {
+  for (auto& [key, list] : lists)
+    std::stable_sort(list.begin(), list.end(), [](const T* a, const T* b) { return a->id < b->id; });
+}
+
+template <class T>
+std::vector<T> copies(const std::vector<const T*>& list) {
+  std::vector<T> out;
+  for (const T* item : list) out.push_back(*item);
+  return out;
+}
+
+}  // namespace
+
+CityIndex::CityIndex(const City& city) : city_(&city) {
+  for (const auto& s : city.sectors) sectors_.emplace(s.id, &s);
+  for (const auto& b : city.buildings) {
+    buildings_.emplace(b.id, &b);
+    buildings_of_[b.sector_id].push_back(&b);
+  }
+  for (const auto& g : city.gates) gates_of_[g.sector_id].push_back(&g);
+  for (const auto& b : city.borders) borders_of_[b.sector_id].push_back(&b);
+  for (const auto& o : city.objects) objects_of_[o.sector_id].push_back(&o);
+  for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
+  for (const auto& v : city.visible) visible_from_[v.sector_id].push_back(&v);
+  sort_by_id(gates_of_);
+  sort_by_id(buildings_of_);
+  sort_by_id(objects_of_);
+  sort_by_id(viewpoints_of_);
+  for (auto& [key, list] : visible_from_)
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Visible* a, const Visible* b) { return a->visible_sector_id < b->visible_sector_id; });
+}
+
+const Sector* CityIndex::sector(const std::string& id) const {
+  const auto at = sectors_.find(id);
+  return at == sectors_.end() ? nullptr : at->second;
+}
+const Building* CityIndex::building(const std::string& id) const {
+  const auto at = buildings_.find(id);
+  return at == buildings_.end() ? nullptr : at->second;
+}
+const std::vector<const Gate*>& CityIndex::gates_of(const std::string& id) const { return find_list(gates_of_, id); }
+const std::vector<const Border*>& CityIndex::borders_of(const std::string& id) const {
+  return find_list(borders_of_, id);
+}
+const std::vector<const Building*>& CityIndex::buildings_of(const std::string& id) const {
+  return find_list(buildings_of_, id);
+}
+const std::vector<const StandaloneObject*>& CityIndex::objects_of(const std::string& id) const {
+  return find_list(objects_of_, id);
+}
+const std::vector<const Viewpoint*>& CityIndex::viewpoints_of(const std::string& id) const {
+  return find_list(viewpoints_of_, id);
+}
+const std::vector<const Visible*>& CityIndex::visible_from(const std::string& id) const {
+  return find_list(visible_from_, id);
+}
+
+CitySource source_of(const CityIndex& index) {
+  CitySource source;
+  source.sector = [&index](const std::string& id) {
+    const Sector* s = index.sector(id);
+    return s ? std::optional<Sector>(*s) : std::nullopt;
+  };
+  source.gates_of = [&index](const std::string& id) { return copies(index.gates_of(id)); };
+  source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
+  source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
+  source.meta = [&index](const std::string& key) {
+    const auto at = index.city().meta.find(key);
+    return at == index.city().meta.end() ? std::string() : at->second;
+  };
+  return source;
+}
+
+}  // namespace vicus

@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "city_db/city.hpp"
+
+/// Finding the records of a city by sector.
+namespace vicus {
+
+/// Where records come from: a City in memory, or a reader of a city file (the server). Lists in id order.
+struct CitySource {
+  std::function<std::optional<Sector>(const std::string& id)> sector;
+  std::function<std::vector<Gate>(const std::string& sector_id)> gates_of;
+  std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
+  std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
+  std::function<std::string(const std::string& key)> meta;  ///< empty where there is none
+};
+
+/// Indices into the lists of a City, by sector, each list in id order (borders in the order they are stored).
+/// Needs   the City outlives the index and is not changed but in Sector.bytes.
+class CityIndex {
+ public:
+  explicit CityIndex(const City& city);
+
+  const City& city() const { return *city_; }
+  const Sector* sector(const std::string& id) const;
+  const Building* building(const std::string& id) const;
+  const std::vector<const Gate*>& gates_of(const std::string& sector_id) const;
+  const std::vector<const Border*>& borders_of(const std::string& sector_id) const;
+  const std::vector<const Building*>& buildings_of(const std::string& sector_id) const;
+  const std::vector<const StandaloneObject*>& objects_of(const std::string& sector_id) const;
+  const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
+  const std::vector<const Visible*>& visible_from(const std::string& sector_id) const;
+
+ private:
+  template <class T>
+  using BySector = std::map<std::string, std::vector<const T*>>;
+
+  const City* city_;
+  std::map<std::string, const Sector*> sectors_;
+  std::map<std::string, const Building*> buildings_;
+  BySector<Gate> gates_of_;
+  BySector<Border> borders_of_;
+  BySector<Building> buildings_of_;
+  BySector<StandaloneObject> objects_of_;
+  BySector<Viewpoint> viewpoints_of_;
+  BySector<Visible> visible_from_;
+};
+
+/// Needs   `index` outlives the source.
+CitySource source_of(const CityIndex& index);
+
+}  // namespace vicus

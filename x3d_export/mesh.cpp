@@ -1,0 +1,115 @@
+#include "x3d_export/mesh.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace vicus {
+namespace {
+
+double unit(std::uint8_t channel) { return channel / 255.0; }
+std::vector<double> values_of(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
+
+/// Numbers things in the order in which they first come.
+template <class T>
+class Numbering {
+ public:
+  std::int32_t operator()(const T& item) {
+    const auto [at, is_new] = numbers_.emplace(item, static_cast<std::int32_t>(numbers_.size()));
+    if (is_new) items_.push_back(item);
+    return at->second;
+  }
+  const std::vector<T>& items() const { return items_; }
+
+ private:
+  std::map<T, std::int32_t> numbers_;
+  std::vector<T> items_;
+};
+
+Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
+  Node material("Material");
+  if (surface == Surface::backdrop)
+    material.set("diffuseColor", std::vector<double>{0, 0, 0}).set("emissiveColor", values_of(colour));
+  else
+    material.set("diffuseColor", is_coloured_by_face ? std::vector<double>{1, 1, 1} : values_of(colour));
+  Node appearance("Appearance");
+  return appearance.add("material", material);
+}
+
+}  // namespace
+
+void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour) {
+  const std::int32_t low = height_mm(bottom_m), high = height_mm(top_m);
+  if (a == b || low >= high) return;
+  // Seen from the left of a -> b, b is the left end:  b1--a1
+  //                                                   b0--a0
+  faces_.push_back({{x3d_from_plan(b, low, origin_), x3d_from_plan(a, low, origin_), x3d_from_plan(a, high, origin_),
+                     x3d_from_plan(b, high, origin_)},
+                    4,
+                    colour});
+}
+
+void FaceList::add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour,
+                         bool from_below) {
+  std::vector<PlanPoint> points = polygon.outer;
+  for (const auto& hole : polygon.holes) points.insert(points.end(), hole.begin(), hole.end());
+  const std::int32_t up = height_mm(up_m);
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    std::array<X3dPoint, 4> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = x3d_from_plan(points.at(triangles[i + (from_below ? 2 - k : k)]), up, origin_);
+    faces_.push_back({corners, 3, colour});
+  }
+}
+
+void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m,
+                           double high_m, Colour colour) {
+  const auto corner = [&](int side, double radius_m, double up_m) {
+    const double turn = 2 * std::numbers::pi * side / sides;
+    const PlanPoint p{at.x + lattice_mm(radius_m * std::cos(turn)), at.y + lattice_mm(radius_m * std::sin(turn))};
+    return x3d_from_plan(p, height_mm(up_m), origin_);
+  };
+  for (int i = 0; i < sides; ++i) {
+    const auto a = corner(i, radius_low_m, low_m), b = corner(i + 1, radius_low_m, low_m);
+    const auto c = corner(i + 1, radius_high_m, high_m), d = corner(i, radius_high_m, high_m);
+    if (radius_high_m == 0)
+      faces_.push_back({{a, b, c, {}}, 3, colour});
+    else if (radius_low_m == 0)
+      faces_.push_back({{a, c, d, {}}, 3, colour});
+    else
+      faces_.push_back({{a, b, c, d}, 4, colour});
+  }
+}
+
+Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces) {
+  assert(!faces.empty());
+  Numbering<X3dPoint> number_of_point;
+  Numbering<Colour> number_of_colour;
+  std::vector<std::int32_t> coord_index, color_index;
+  for (const Face& face : faces) {
+    for (int k = 0; k < face.count; ++k)
+      coord_index.push_back(number_of_point(face.corners[static_cast<std::size_t>(k)]));
+    coord_index.push_back(-1);
+    color_index.push_back(number_of_colour(face.colour));
+  }
+  std::vector<double> points, colours;
+  for (const auto& p : number_of_point.items()) points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
+  for (const auto& c : number_of_colour.items())
+    for (const double v : values_of(c)) colours.push_back(v);
+
+  const bool is_coloured_by_face = number_of_colour.items().size() > 1;
+  Node geometry("IndexedFaceSet");
+  if (surface == Surface::two_sided) geometry.set("solid", false);
+  geometry.set("coordIndex", std::move(coord_index));
+  if (is_coloured_by_face) geometry.set("colorPerVertex", false).set("colorIndex", std::move(color_index));
+  Node coordinate("Coordinate");
+  geometry.add("coord", coordinate.set("point", std::move(points)));
+  Node color("Color");
+  if (is_coloured_by_face) geometry.add("color", color.set("color", std::move(colours)));
+  Node shape("Shape", def);
+  shape.add("appearance", appearance_of(surface, faces.front().colour, is_coloured_by_face));
+  return shape.add("geometry", std::move(geometry));
+}
+
+}  // namespace vicus

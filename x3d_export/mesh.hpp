@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "x3d_export/colours.hpp"
+#include "x3d_export/frames.hpp"
+#include "x3d_export/scene.hpp"
+
+/// Faces of one material on their way into one Shape.
+namespace vicus {
+
+/// A planar, convex face of 3 or 4 corners, counter-clockwise seen from outside, of one colour.
+struct Face {
+  std::array<X3dPoint, 4> corners;
+  int count = 4;
+  Colour colour;
+};
+
+enum class Surface {
+  solid,      ///< lit, seen from outside only
+  two_sided,  ///< lit, seen from both sides
+  backdrop    ///< not lit, seen from its front only
+};
+
+/// All faces of one material of a sector.
+struct Layer {
+  std::string name;  ///< DEF of its Shape
+  Surface surface = Surface::solid;
+  std::vector<Face> faces;
+};
+
+/// Frame   faces in the frame of the sector with the plan origin `origin`.
+class FaceList {
+ public:
+  explicit FaceList(PlanPoint origin) : origin_(origin) {}
+  /// The upright wall over the line from `a` to `b`, seen from the left of a -> b. Nothing when it has no area.
+  void add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour);
+  /// Triangles of `polygon` at a height, seen from above, or from below.
+  void add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour, bool from_below);
+  /// A prism of `sides` sides around `at`; radius 0 makes that end a point, else it is left open.
+  void add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m, double high_m,
+                   Colour colour);
+  std::vector<Face> take() { return std::move(faces_); }
+
+ private:
+  PlanPoint origin_;
+  std::vector<Face> faces_;
+};
+
+/// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
+/// Needs   !faces.empty() (assert).
+Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces);
+
+}  // namespace vicus

@@ -1,0 +1,157 @@
+#include "x3d_export/record.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "x3d_export/text.hpp"
+
+namespace vicus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void append_plan(std::vector<double>& values, PlanPoint p) {
+  values.push_back(metres(p.x));
+  values.push_back(metres(p.y));
+}
+
+std::vector<double> values_of(PlanPoint p) { return {metres(p.x), metres(p.y)}; }
+std::vector<double> values_of(const PlanBox& b) {
+  return {metres(b.min.x), metres(b.min.y), metres(b.max.x), metres(b.max.y)};
+}
+std::vector<double> values_of(const std::vector<PlanPoint>& line) {
+  std::vector<double> values;
+  for (const auto& p : line) append_plan(values, p);
+  return values;
+}
+
+Json json_of(const std::vector<PlanPoint>& line) {
+  Json out = Json::array();
+  for (const auto& p : line) out.push_back(values_of(p));
+  return out;
+}
+
+Json json_or_null(const std::string& id) { return id.empty() ? Json(nullptr) : Json(clean_text(id)); }
+
+Json json_of(const Gate& g) {
+  return {{"id", clean_text(g.id)},
+          {"to", json_or_null(g.to_sector_id)},
+          {"twin", json_or_null(g.twin_id)},
+          {"kind", name_of(g.kind)},
+          {"line", json_of(g.line)}};
+}
+
+Json json_of(const Viewpoint& v) {
+  return {{"id", clean_text(v.id)}, {"kind", clean_text(v.kind)}, {"name", clean_text(v.name)}, {"at", values_of(v.at)},
+          {"eye", v.eye_m},         {"heading", v.heading_deg}};
+}
+
+Node metadata(const char* type, const std::string& name, FieldValue value) {
+  Node node(type);
+  node.set("name", FieldValue(name)).set("value", std::move(value));
+  return node;
+}
+Node texts(const std::string& name, std::vector<std::string> values) {
+  return metadata("MetadataString", name, std::move(values));
+}
+Node numbers(const std::string& name, std::vector<double> values) {
+  return metadata("MetadataDouble", name, std::move(values));
+}
+Node counts(const std::string& name, std::vector<std::int32_t> values) {
+  return metadata("MetadataInteger", name, std::move(values));
+}
+
+Node gate_node(const Gate& gate) {
+  Node node("MetadataSet");
+  node.set("name", "gate").add("value", texts("id", {gate.id}));
+  if (!gate.to_sector_id.empty()) node.add("value", texts("to", {gate.to_sector_id}));
+  node.add("value", texts("kind", {name_of(gate.kind)})).add("value", numbers("line", values_of(gate.line)));
+  return node;
+}
+
+Node neighbour_node(const SectorNeighbour& neighbour) {
+  Node node("MetadataSet");
+  node.set("name", "neighbour").add("value", texts("id", {neighbour.id}));
+  node.add("value", numbers("origin", values_of(neighbour.origin)))
+      .add("value", numbers("box", values_of(neighbour.box)));
+  return node;
+}
+
+}  // namespace
+
+PlanBox box_of(const Polygon& polygon) {
+  PlanBox box;
+  for (const auto& p : polygon.outer) box.add(p);
+  return box;
+}
+
+SectorRecord sector_record(const CitySource& source, const Sector& sector, int shapes) {
+  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}};
+  std::set<std::string> behind, visible;
+  for (const auto& g : record.gates)
+    if (!g.to_sector_id.empty()) behind.insert(g.to_sector_id);
+  for (const auto& v : source.visible_from(sector.id)) visible.insert(v.visible_sector_id);
+  if (visible.empty()) {
+    visible = behind;
+    visible.insert(sector.id);
+  }
+  behind.insert(visible.begin(), visible.end());
+  behind.erase(sector.id);
+  record.visible.assign(visible.begin(), visible.end());
+  for (const auto& id : behind)
+    if (const auto other = source.sector(id)) record.neighbours.push_back({id, other->origin, box_of(other->ground)});
+  record.viewpoints = source.viewpoints_of(sector.id);
+  return record;
+}
+
+std::string record_json(const SectorRecord& record) {
+  const Sector& s = record.sector;
+  Json names = Json::array(), ground = Json::array(), gates = Json::array(), neighbours = Json::array(),
+       viewpoints = Json::array();
+  for (const auto& name : s.names) names.push_back(clean_text(name));
+  ground.push_back(json_of(s.ground.outer));
+  for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
+  for (const auto& g : record.gates) gates.push_back(json_of(g));
+  for (const auto& n : record.neighbours)
+    neighbours.push_back({{"id", n.id}, {"origin", values_of(n.origin)}, {"box", values_of(n.box)}});
+  for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
+  const Json json = {{"id", s.id},
+                     {"kind", name_of(s.kind)},
+                     {"name", clean_text(s.name)},
+                     {"names", names},
+                     {"origin", values_of(s.origin)},
+                     {"box", values_of(record.box)},
+                     {"shapes", record.shapes},
+                     {"ground", ground},
+                     {"gates", gates},
+                     {"neighbours", neighbours},
+                     {"visible", record.visible},
+                     {"viewpoints", viewpoints}};
+  return json.dump();
+}
+
+Node record_node(const SectorRecord& record) {
+  const Sector& s = record.sector;
+  Node node("MetadataSet", "RECORD");
+  node.set("name", "sector").set("reference", "vicus 1");
+  node.add("value", texts("id", {s.id})).add("value", texts("kind", {name_of(s.kind)}));
+  if (!s.name.empty()) node.add("value", texts("name", {s.name}));
+  if (!s.names.empty()) node.add("value", texts("names", s.names));
+  node.add("value", numbers("origin", values_of(s.origin))).add("value", numbers("box", values_of(record.box)));
+  node.add("value", counts("shapes", {record.shapes}));
+  std::vector<std::int32_t> ring_sizes{static_cast<std::int32_t>(s.ground.outer.size())};
+  std::vector<double> points = values_of(s.ground.outer);
+  for (const auto& hole : s.ground.holes) {
+    ring_sizes.push_back(static_cast<std::int32_t>(hole.size()));
+    for (const auto& p : hole) append_plan(points, p);
+  }
+  node.add("value", counts("ground_counts", ring_sizes)).add("value", numbers("ground", points));
+  for (const auto& g : record.gates) node.add("value", gate_node(g));
+  for (const auto& n : record.neighbours) node.add("value", neighbour_node(n));
+  node.add("value", texts("visible", record.visible));
+  return node;
+}
+
+}  // namespace vicus

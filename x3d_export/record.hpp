@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "x3d_export/city_index.hpp"
+#include "x3d_export/scene.hpp"
+
+/// A sector's record: what a visitor's side must know to walk on (DESIGN §10, client_scripts/README.md).
+///
+/// Frame   plan-frame lattice; written as plan-frame metres, east then north, from the city's origin.
+/// One function builds it; /sectors/ID.json, the MetadataSet of ID.x3d and the Anchor of ID.wrl all write it.
+namespace vicus {
+
+struct SectorNeighbour {
+  std::string id;
+  PlanPoint origin;
+  PlanBox box;
+};
+
+struct SectorRecord {
+  Sector sector;
+  PlanBox box;
+  int shapes = 0;  ///< Shape nodes in the near file and its parts
+  std::vector<Gate> gates;
+  std::vector<SectorNeighbour> neighbours;  ///< every sector a gate leads to and every visible one, by id
+  std::vector<std::string> visible;         ///< L_vis by id; gate neighbours and itself where none was computed
+  std::vector<Viewpoint> viewpoints;
+};
+
+PlanBox box_of(const Polygon& polygon);
+
+SectorRecord sector_record(const CitySource& source, const Sector& sector, int shapes);
+
+/// The text of /sectors/ID.json.
+std::string record_json(const SectorRecord& record);
+/// MetadataSet DEF="RECORD".
+Node record_node(const SectorRecord& record);
+
+}  // namespace vicus

@@ -1,0 +1,183 @@
+#include "x3d_export/sector_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "x3d_export/text.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kParapet_m = 0.9;            // a bank's rail: one looks over it
+constexpr double kKerb_m = 0.15;              // an edge without a wall
+constexpr double kFence_m = 1.5;              // where the map names no height
+constexpr double kBackdrop_m = 15;            // hides what is not there, as high as the houses of an old town
+constexpr double kTree_m = 8, kLamp_m = 4.5;  // typical, where the map names no height
+
+using Line = std::vector<PlanPoint>;
+
+/// Distance of p from the segment a-b, millimetres.
+double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
+  const double length2 = dx * dx + dy * dy;
+  const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(px - t * dx, py - t * dy);
+}
+
+/// Douglas and Peucker: appends the points to keep of line[first, last), the last one left to the caller.
+void append_simplified(Line& out, const Line& line, std::size_t first, std::size_t last) {
+  std::size_t farthest = first;
+  double distance = kFarTolerance_mm;
+  for (std::size_t i = first + 1; i < last; ++i)
+    if (const double d = distance_mm(line[i], line[first], line[last]); d > distance) {
+      farthest = i;
+      distance = d;
+    }
+  if (farthest == first) {
+    out.push_back(line[first]);
+    return;
+  }
+  append_simplified(out, line, first, farthest);
+  append_simplified(out, line, farthest, last);
+}
+
+Line simplified(const Line& line) {
+  Line out;
+  append_simplified(out, line, 0, line.size() - 1);
+  out.push_back(line.back());
+  return out;
+}
+
+void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m, Colour colour) {
+  for (std::size_t i = 1; i < line.size(); ++i) faces.add_wall(line[i - 1], line[i], bottom_m, top_m, colour);
+}
+
+/// Facades of the sector's own border: ground on the left of the line, and seen from there.
+void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+  for (const Border* border : index.borders_of(sector.id)) {
+    if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
+    const Building* house = index.building(border->building_id);
+    // A house over a passage sends all its walls itself.
+    if (!house || house->base_m > 0) continue;
+    add_walls(faces, detail == Detail::far ? simplified(border->line) : border->line, 0, prism_top_m(*house),
+              facade_colour(*house));
+  }
+}
+
+/// All outer walls of a house one can walk under. Rings have the house on the left, walls are seen from the right.
+void add_ring_walls(FaceList& faces, const Building& house, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    faces.add_wall(ring[(i + 1) % ring.size()], ring[i], house.base_m, prism_top_m(house), facade_colour(house));
+}
+
+/// Roofs, side walls and undersides of the houses that this sector sends.
+void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  for (const Building* house : index.buildings_of(sector.id)) {
+    faces.add_floor(house->footprint, house->roof_triangles, prism_top_m(*house), roof_colour(*house), false);
+    if (house->base_m > 0) {
+      faces.add_floor(house->footprint, house->roof_triangles, house->base_m, facade_colour(*house), true);
+      add_ring_walls(faces, *house, house->footprint.outer);
+      for (const auto& hole : house->footprint.holes) add_ring_walls(faces, *house, hole);
+      continue;
+    }
+    for (const auto& wall : house->side_walls)
+      faces.add_wall(wall.b, wall.a, wall.bottom_m, prism_top_m(*house), facade_colour(*house));
+  }
+}
+
+void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  for (const Border* border : index.borders_of(sector.id)) {
+    const double height_m = border->height_m > 0 ? border->height_m : kFence_m;
+    switch (border->kind) {
+      case BorderKind::facade:
+        break;
+      case BorderKind::wall:
+        add_walls(faces, border->line, 0, height_m, kWallColour);
+        break;
+      case BorderKind::fence:
+        add_walls(faces, border->line, 0, height_m, kFenceColour);
+        break;
+      case BorderKind::bank:
+        add_walls(faces, border->line, 0, kParapet_m, kParapetColour);
+        break;
+      case BorderKind::edge:
+        add_walls(faces, border->line, 0, kKerb_m, kParapetColour);
+        break;
+    }
+  }
+}
+
+void add_tree(FaceList& faces, const StandaloneObject& tree) {
+  constexpr Colour kTrunk{94, 74, 56};
+  constexpr Colour kCrowns[] = {{74, 104, 52}, {88, 116, 58}, {66, 94, 56}, {98, 122, 66}};
+  const Colour crown = kCrowns[steady_hash(tree.id) % std::size(kCrowns)];
+  const double h = tree.height_m > 0 ? tree.height_m : kTree_m, radius_m = std::min(0.3 * h, 4.0);
+  faces.add_spindle(tree.at, 3, 0.02 * h, 0.02 * h, 0, 0.4 * h, kTrunk);
+  faces.add_spindle(tree.at, 5, 0, radius_m, 0.28 * h, 0.55 * h, crown);
+  faces.add_spindle(tree.at, 5, radius_m, 0, 0.55 * h, h, crown);
+}
+
+void add_lamp(FaceList& faces, const StandaloneObject& lamp) {
+  constexpr Colour kPost{60, 66, 62}, kGlass{236, 228, 200};
+  const double h = lamp.height_m > 0 ? lamp.height_m : kLamp_m;
+  faces.add_spindle(lamp.at, 3, 0.08, 0.05, 0, h - 0.6, kPost);
+  faces.add_spindle(lamp.at, 4, 0.06, 0.2, h - 0.6, h - 0.2, kGlass);
+  faces.add_spindle(lamp.at, 4, 0.22, 0, h - 0.2, h, kPost);
+}
+
+void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  constexpr Colour kStone{176, 170, 158}, kWater{122, 158, 176}, kBronze{86, 96, 86}, kWood{128, 98, 68};
+  for (const StandaloneObject* object : index.objects_of(sector.id)) {
+    if (object->kind == "tree") {
+      add_tree(faces, *object);
+    } else if (object->kind == "street_lamp") {
+      add_lamp(faces, *object);
+    } else if (object->kind == "fountain") {
+      faces.add_spindle(object->at, 8, 1.6, 1.6, 0, 0.5, kStone);
+      faces.add_spindle(object->at, 8, 1.6, 0, 0.5, 0.51, kWater);
+      faces.add_spindle(object->at, 6, 0.2, 0, 0.4, 2.2, kStone);
+    } else if (object->kind == "bench") {
+      faces.add_spindle(object->at, 4, 0.5, 0.5, 0, 0.45, kWood);
+      faces.add_spindle(object->at, 4, 0.5, 0, 0.45, 0.46, kWood);
+    } else if (object->kind == "statue" || object->kind == "monument" || object->kind == "memorial") {
+      faces.add_spindle(object->at, 4, 0.7, 0.6, 0, 1.4, kStone);
+      faces.add_spindle(object->at, 4, 0.6, 0, 1.4, 1.41, kStone);
+      faces.add_spindle(object->at, 6, 0.35, 0, 1.4, 3.4, kBronze);
+    }
+  }
+}
+
+/// Paper 004 §4.1.4: out of the city a gate is a solid face, an obstacle.
+void add_backdrops(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  for (const Gate* gate : index.gates_of(sector.id))
+    if (gate->to_sector_id.empty()) add_walls(faces, gate->line, 0, kBackdrop_m, kSkyColour);
+}
+
+}  // namespace
+
+double prism_top_m(const Building& building) {
+  return building.eave_m > building.base_m ? building.eave_m : building.height_m;
+}
+
+std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, Detail detail) {
+  FaceList ground(sector.origin), houses(sector.origin), barriers(sector.origin), objects(sector.origin),
+      backdrops(sector.origin);
+  FaceList& floor = detail == Detail::far ? houses : ground;
+  floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+  add_facades(houses, index, sector, detail);
+  add_houses(houses, index, sector);
+  if (detail == Detail::near) {
+    add_barriers(barriers, index, sector);
+    add_objects(objects, index, sector);
+    add_backdrops(backdrops, index, sector);
+  }
+  std::vector<Layer> layers{{"GROUND", Surface::solid, ground.take()},
+                            {"HOUSES", Surface::solid, houses.take()},
+                            {"BARRIERS", Surface::two_sided, barriers.take()},
+                            {"OBJECTS", Surface::solid, objects.take()},
+                            {"BACKDROP", Surface::backdrop, backdrops.take()}};
+  std::erase_if(layers, [](const Layer& layer) { return layer.faces.empty(); });
+  return layers;
+}
+
+}  // namespace vicus

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "x3d_export/record.hpp"
+#include "x3d_export/sector_mesh.hpp"
+#include "x3d_export/writers.hpp"
+
+/// A sector as files (DESIGN §10): sectors/ID.x3d, .wrl, .x3dj, ID.far.x3d.
+namespace vicus {
+
+struct ExportFile {
+  std::string path;  ///< relative to the root world, e.g. "sectors/r12.x3d"
+  std::string media_type;
+  std::string text;
+};
+
+/// A browser parses a file on its main thread, 0.36 s per MB: a larger one makes the walk stutter.
+inline constexpr std::size_t kFileLimit_bytes = 100'000;
+
+/// The main file first, then the parts that it draws in by Inline, where one file would be larger than `limit`.
+/// Each file is smaller than `limit`, but the main one where the record alone is larger.
+std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
+                                     std::size_t limit = kFileLimit_bytes);
+
+/// A Viewpoint node in the frame of `origin`.
+Node viewpoint_node(const Viewpoint& viewpoint, PlanPoint origin, const std::string& place);
+
+/// Licence and source lines of the city as meta tags.
+std::vector<std::pair<std::string, std::string>> rights_of(const CitySource& source);
+
+}  // namespace vicus

@@ -1,0 +1,150 @@
+#include "x3d_export/text.hpp"
+
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace vicus {
+namespace {
+
+constexpr std::size_t kLineLength = 120;
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+struct Decoded {
+  char32_t code = 0;
+  std::size_t length = 0;  ///< 0: no UTF-8 here
+};
+
+Decoded decode(std::string_view s) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || s.size() < length) return {};
+  char32_t code = first & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u) return {};
+    code = (code << 6) | (byte(i) & 0x3Fu);
+  }
+  constexpr char32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < kSmallest[length] || code > 0x10FFFF) return {};
+  return {code, length};
+}
+
+bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
+bool is_no_character(char32_t c) {
+  return (c >= 0xD800 && c < 0xE000) || (c >= 0xFDD0 && c <= 0xFDEF) || (c & 0xFFFE) == 0xFFFE;
+}
+
+/// A separator: a line break once the line is long enough, else `between` (and a space after a comma is not needed).
+void append_break(std::string& out, std::size_t& line_start, char between) {
+  if (between == ',') out += ',';
+  if (out.size() - line_start > kLineLength) {
+    out += '\n';
+    line_start = out.size();
+  } else if (between != ',') {
+    out += between;
+  }
+}
+
+}  // namespace
+
+void append_number(std::string& out, double value, int decimals) {
+  constexpr std::int64_t kPower[] = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
+  assert(decimals >= 0 && decimals <= 6 && std::abs(value) < 1e12);
+  const std::int64_t power = kPower[decimals];
+  std::int64_t scaled = std::llround(value * static_cast<double>(power));
+  if (scaled < 0) {
+    out += '-';
+    scaled = -scaled;
+  }
+  char buffer[24];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, scaled / power).ptr;
+  out.append(buffer, end);
+  std::int64_t rest = scaled % power;
+  if (rest == 0) return;
+  out += '.';
+  for (std::int64_t digit = power / 10; rest != 0; digit /= 10) {
+    out += static_cast<char>('0' + rest / digit);
+    rest %= digit;
+  }
+}
+
+void append_numbers(std::string& out, const std::vector<double>& values, int decimals, int width, char between) {
+  std::size_t line_start = out.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i != 0) {
+      if (i % static_cast<std::size_t>(width) == 0)
+        append_break(out, line_start, between);
+      else
+        out += between;
+    }
+    append_number(out, values[i], decimals);
+  }
+}
+
+void append_indices(std::string& out, const std::vector<std::int32_t>& values, char between) {
+  std::size_t line_start = out.size();
+  char buffer[16];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i != 0) append_break(out, line_start, between);
+    out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, values[i]).ptr);
+  }
+}
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const Decoded d = decode(text);
+    if (d.length == 0 || is_no_character(d.code))
+      out += kReplacement;
+    else if (is_control(d.code))
+      out += ' ';
+    else
+      out += text.substr(0, d.length);
+    text.remove_prefix(d.length == 0 ? 1 : d.length);
+  }
+  return out;
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : clean_text(text)) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '\'':
+        out += "&apos;";
+        break;
+      default:
+        out += c;
+    }
+  return out;
+}
+
+std::string vrml_quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : clean_text(text)) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::uint64_t steady_hash(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  // FNV-1a leaves neighbouring ids close in the high bits; one round of mixing spreads them for "% n".
+  hash ^= hash >> 32;
+  hash *= 0x9E3779B97F4A7C15u;
+  return hash ^ (hash >> 29);
+}
+
+}  // namespace vicus
