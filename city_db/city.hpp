@@ -28,14 +28,14 @@ enum class SectorKind { street, crossroads, square, yard, passage, open };
 
 /// Paper 004 §4.1: ground + border + gates + objects + viewpoints + L_vis. The lists live in City, by sector id.
 struct Sector {
-  std::string id;                  ///< unique and stable; [A-Za-z0-9_-]+
+  std::string id;  ///< unique and stable; [A-Za-z0-9_-]+
   SectorKind kind = SectorKind::street;
   std::string name;                ///< the street's or square's name, may be empty
   std::vector<std::string> names;  ///< every street name it bears (a crossroads bears all its streets')
   Polygon ground;                  ///< walkable; holes are islands, houses standing in a square, ...
   Triangles ground_triangles;
-  PlanPoint origin;                ///< of the sector frame
-  std::uint64_t bytes = 0;         ///< as sent (brotli), without textures shared by the city
+  PlanPoint origin;         ///< of the sector frame
+  std::uint64_t bytes = 0;  ///< as sent (brotli), without textures shared by the city
 };
 
 enum class GateKind { street, yard, kerb, passage, end_of_city };
@@ -44,8 +44,8 @@ enum class GateKind { street, yard, kerb, passage, end_of_city };
 struct Gate {
   std::string id;
   std::string sector_id;
-  std::string to_sector_id;     ///< empty: out of the city
-  std::string twin_id;          ///< empty: out of the city
+  std::string to_sector_id;  ///< empty: out of the city
+  std::string twin_id;       ///< empty: out of the city
   GateKind kind = GateKind::street;
   std::vector<PlanPoint> line;  ///< >= 2 points, sector_id's ground on the left; the twin has them reversed
 };
@@ -57,7 +57,7 @@ struct Border {
   std::string sector_id;
   std::string building_id;  ///< facade only
   BorderKind kind = BorderKind::facade;
-  double height_m = 0;      ///< wall, fence: top above ground; facade: see the building; bank, edge: 0
+  double height_m = 0;  ///< wall, fence: top above ground; facade: see the building; bank, edge: 0
   std::vector<PlanPoint> line;
 };
 
@@ -72,16 +72,16 @@ struct SideWall {
 
 struct Building {
   std::string id, source_id, name;
-  std::string sector_id;  ///< the sector that sends its roof and side walls
-  Polygon footprint;      ///< as noded with its neighbours
-  double base_m = 0;      ///< underside above ground; > 0: one walks below, the footprint blocks nothing
-  double height_m = 0;    ///< top of the roof above ground
-  double eave_m = 0;      ///< top of the facades above ground
-  std::string roof_shape; ///< OSM roof:shape, "flat" where unknown
+  std::string sector_id;   ///< the sector that sends its roof and side walls
+  Polygon footprint;       ///< as noded with its neighbours
+  double base_m = 0;       ///< underside above ground; > 0: one walks below, the footprint blocks nothing
+  double height_m = 0;     ///< top of the roof above ground
+  double eave_m = 0;       ///< top of the facades above ground
+  std::string roof_shape;  ///< OSM roof:shape, "flat" where unknown
   HeightSource height_source = HeightSource::guessed;
   Triangles roof_triangles;
   std::vector<SideWall> side_walls;
-  Tags tags;              ///< building:colour, building:material, roof:colour, addr:*, ... for the models
+  Tags tags;  ///< building:colour, building:material, roof:colour, addr:*, ... for the models
 };
 
 enum class ObstacleKind { water, wall, fence, island, yard, courtyard };

@@ -12,7 +12,7 @@ namespace vicus {
 enum class IssueCode {
   // 1xx the input as a whole
   unreadable_feature = 101,
-  outside_limits = 102,        ///< farther than the lattice reaches from the origin
+  outside_limits = 102,  ///< farther than the lattice reaches from the origin
   unknown_attribute_value = 103,
   // 2xx footprints
   ring_open = 201,
@@ -20,21 +20,21 @@ enum class IssueCode {
   ring_too_few_points = 203,
   duplicate = 204,
   sliver = 205,
-  overlap = 206,               ///< two houses share ground
-  gap = 207,                   ///< a gap of centimetres between two houses
-  building_in_street = 208,    ///< a street's centre line runs into a house that has no passage
+  overlap = 206,             ///< two houses share ground
+  gap = 207,                 ///< a gap of centimetres between two houses
+  building_in_street = 208,  ///< a street's centre line runs into a house that has no passage
   no_height = 209,
   absurd_height = 210,
   hole_outside = 211,
   incomplete_relation = 212,
-  part_outside = 213,          ///< a building:part outside of any building
+  part_outside = 213,  ///< a building:part outside of any building
   // 3xx streets
-  unmapped_street = 301,       ///< an opening between sectors that looks like a street without an axis
+  unmapped_street = 301,  ///< an opening between sectors that looks like a street without an axis
   street_too_short = 302,
   // 4xx sectors
-  over_budget = 401,           ///< a sector exceeds the byte budget and has no chord left to cut at
-  yard_closed = 402,           ///< ground reached only by a gap too narrow to walk
-  not_reached = 403,           ///< open ground that no street, path or square reaches
+  over_budget = 401,  ///< a sector exceeds the byte budget and has no chord left to cut at
+  yard_closed = 402,  ///< ground reached only by a gap too narrow to walk
+  not_reached = 403,  ///< open ground that no street, path or square reaches
 };
 
 /// A short permanent name: `ring_self_intersection`.

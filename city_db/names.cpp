@@ -9,9 +9,9 @@ namespace {
 template <class E>
 using Names = std::initializer_list<std::pair<E, const char*>>;
 
-constexpr Names<SectorKind> kSectorKinds = {
-    {SectorKind::street, "street"}, {SectorKind::crossroads, "crossroads"}, {SectorKind::square, "square"},
-    {SectorKind::yard, "yard"},     {SectorKind::passage, "passage"},       {SectorKind::open, "open"}};
+constexpr Names<SectorKind> kSectorKinds = {{SectorKind::street, "street"},   {SectorKind::crossroads, "crossroads"},
+                                            {SectorKind::square, "square"},   {SectorKind::yard, "yard"},
+                                            {SectorKind::passage, "passage"}, {SectorKind::open, "open"}};
 constexpr Names<GateKind> kGateKinds = {{GateKind::street, "street"},
                                         {GateKind::yard, "yard"},
                                         {GateKind::kerb, "kerb"},
@@ -22,33 +22,32 @@ constexpr Names<BorderKind> kBorderKinds = {{BorderKind::facade, "facade"},
                                             {BorderKind::fence, "fence"},
                                             {BorderKind::bank, "bank"},
                                             {BorderKind::edge, "edge"}};
-constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"},   {ObstacleKind::wall, "wall"},
-                                                {ObstacleKind::fence, "fence"},   {ObstacleKind::island, "island"},
-                                                {ObstacleKind::yard, "yard"},     {ObstacleKind::courtyard, "courtyard"}};
+constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"}, {ObstacleKind::wall, "wall"},
+                                                {ObstacleKind::fence, "fence"}, {ObstacleKind::island, "island"},
+                                                {ObstacleKind::yard, "yard"},   {ObstacleKind::courtyard, "courtyard"}};
 constexpr Names<HeightSource> kHeightSources = {
     {HeightSource::measured, "measured"}, {HeightSource::levels, "levels"}, {HeightSource::guessed, "guessed"}};
-constexpr Names<IssueCode> kIssueCodes = {
-    {IssueCode::unreadable_feature, "unreadable_feature"},
-    {IssueCode::outside_limits, "outside_limits"},
-    {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
-    {IssueCode::ring_open, "ring_open"},
-    {IssueCode::ring_self_intersection, "ring_self_intersection"},
-    {IssueCode::ring_too_few_points, "ring_too_few_points"},
-    {IssueCode::duplicate, "duplicate"},
-    {IssueCode::sliver, "sliver"},
-    {IssueCode::overlap, "overlap"},
-    {IssueCode::gap, "gap"},
-    {IssueCode::building_in_street, "building_in_street"},
-    {IssueCode::no_height, "no_height"},
-    {IssueCode::absurd_height, "absurd_height"},
-    {IssueCode::hole_outside, "hole_outside"},
-    {IssueCode::incomplete_relation, "incomplete_relation"},
-    {IssueCode::part_outside, "part_outside"},
-    {IssueCode::unmapped_street, "unmapped_street"},
-    {IssueCode::street_too_short, "street_too_short"},
-    {IssueCode::over_budget, "over_budget"},
-    {IssueCode::yard_closed, "yard_closed"},
-    {IssueCode::not_reached, "not_reached"}};
+constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
+                                          {IssueCode::outside_limits, "outside_limits"},
+                                          {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
+                                          {IssueCode::ring_open, "ring_open"},
+                                          {IssueCode::ring_self_intersection, "ring_self_intersection"},
+                                          {IssueCode::ring_too_few_points, "ring_too_few_points"},
+                                          {IssueCode::duplicate, "duplicate"},
+                                          {IssueCode::sliver, "sliver"},
+                                          {IssueCode::overlap, "overlap"},
+                                          {IssueCode::gap, "gap"},
+                                          {IssueCode::building_in_street, "building_in_street"},
+                                          {IssueCode::no_height, "no_height"},
+                                          {IssueCode::absurd_height, "absurd_height"},
+                                          {IssueCode::hole_outside, "hole_outside"},
+                                          {IssueCode::incomplete_relation, "incomplete_relation"},
+                                          {IssueCode::part_outside, "part_outside"},
+                                          {IssueCode::unmapped_street, "unmapped_street"},
+                                          {IssueCode::street_too_short, "street_too_short"},
+                                          {IssueCode::over_budget, "over_budget"},
+                                          {IssueCode::yard_closed, "yard_closed"},
+                                          {IssueCode::not_reached, "not_reached"}};
 
 template <class E>
 const char* find_name(const Names<E>& names, E value) {
