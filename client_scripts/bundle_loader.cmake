@@ -2,7 +2,7 @@
 # An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`.
 set(modules core/planGeometry.js core/sectorRecord.js core/SectorPlanner.js x3d/xIteInline.js x3d/recordMetadata.js
             x3d/InlineSectors.js x3d/SectorLoader.js x3d/loader.js)
-set(bundle "ecmascript:\n")
+set(bundle "")
 foreach(module ${modules})
   file(READ ${CMAKE_CURRENT_LIST_DIR}/${module} text)
   string(REGEX REPLACE "(^|\n)import [^\n]*;" "\\1" text "${text}")

@@ -24,7 +24,7 @@ function bundle() {
 
 /** Runs the bundle as a browser does: sloppy code with the Script's fields in scope by name. */
 function runScript(fields) {
-    const text = bundle().replace(/^ecmascript:/, '');
+    const text = bundle();
     const run = new Function('fields', `with (fields) { ${text}; return { initialize, set_position, prepareEvents }; }`);
     const script = run(fields);
     script.initialize();

@@ -1,0 +1,122 @@
+import { boxContains, distance, isInside, latticePoint, nearestOnSegment, orient, segmentsMeet } from './planGeometry.js';
+
+/** mm: a visitor's half width in plan; a little more than the 3D collision's, so that the two never quarrel. */
+export const kVisitorRadiusMm = 300;
+const kPushes = 6;
+/** mm a clearance may be short after pushing: six pushes in a corner converge to less than this. */
+const kClearanceSlackMm = 2;
+/** mm within which a visitor off every ground is taken back onto it. */
+const kRescueMm = 5000;
+
+/**
+ * Walls in plan: every ground edge of the sectors that are there, but the gates between two of them.
+ *
+ * Frame   plan lattice, mm. A wall has its ground on the left.
+ * Needs   sectors with ground (sectorFromRecord); a gate's edges are edges of the ground, same vertices.
+ * Holds   constrain(p, q) is on the ground, no wall lies between p and it, and it keeps `radius` from every wall,
+ *         or p's own clearance where p has less: a walker in a crack may leave it.
+ */
+export class GroundWalls {
+    constructor(sectors, radius = kVisitorRadiusMm) {
+        const there = new Set(sectors.map(sector => sector.id));
+        this.radius = radius;
+        this.sectors = sectors;
+        this.walls = sectors.flatMap(sector => wallsOf(sector, there));
+    }
+
+    isOnGround(point) {
+        const at = point.map(Math.round);
+        return this.sectors.some(sector => boxContains(sector.box, at) && isInside(sector.ground, at));
+    }
+
+    /** Distance to the nearest wall. */
+    clearance(point, walls = this.walls) {
+        let least = Infinity;
+        for (const [a, b] of walls) least = Math.min(least, distance(nearestOnSegment(a, b, point), point));
+        return least;
+    }
+
+    /** Where a visitor who wants to go from `from` to `to` gets: as far as the walls let, sliding along them. */
+    constrain(from, to) {
+        if (!this.isOnGround(from)) return this.rescue(from);
+        const reach = distance(from, to) + 2 * this.radius;
+        const walls = this.walls.filter(([a, b]) => distance(nearestOnSegment(a, b, from), from) <= reach);
+        const steps = Math.max(1, Math.ceil(distance(from, to) / (this.radius / 2)));
+        const step = [(to[0] - from[0]) / steps, (to[1] - from[1]) / steps];
+        let at = from;
+        for (let i = 0; i < steps; ++i) {
+            const next = this.stepTo(at, [at[0] + step[0], at[1] + step[1]], walls);
+            if (next === at) break;
+            at = next;
+        }
+        return at;
+    }
+
+    stepTo(at, goal, walls) {
+        const needed = Math.min(this.radius, this.clearance(at, walls)) - kClearanceSlackMm;
+        for (const share of [1, 0.5, 0.25]) {
+            const aim = [at[0] + share * (goal[0] - at[0]), at[1] + share * (goal[1] - at[1])];
+            const pushed = this.pushOut(at, aim, walls);
+            if (walls.every(([a, b]) => !segmentsMeet(at, pushed, a, b) || touches(a, b, at))
+                && this.clearance(pushed, walls) >= needed && this.isOnGround(pushed)) return pushed;
+        }
+        return at;
+    }
+
+    /** `goal` moved off every wall it comes too near, to the side `at` is on. */
+    pushOut(at, goal, walls) {
+        let point = goal;
+        for (let i = 0; i < kPushes; ++i) {
+            const before = point;
+            for (const [a, b] of walls) point = pushOff(a, b, at, point, this.radius);
+            if (point === before) break;
+        }
+        return point;
+    }
+
+    /** Off the ground (a fall, a jump into a house): onto it again when it is near, else where one is. */
+    rescue(from) {
+        let best = from, least = kRescueMm;
+        for (const [a, b] of this.sectors.flatMap(edgesOf)) {
+            const near = nearestOnSegment(a, b, from), gap = distance(near, from), length = distance(a, b);
+            if (gap >= least || length === 0) continue;
+            const inward = [-(b[1] - a[1]) / length * this.radius, (b[0] - a[0]) / length * this.radius];
+            const inside = [near[0] + inward[0], near[1] + inward[1]];
+            if (this.isOnGround(inside)) [best, least] = [inside, gap];
+        }
+        return best;
+    }
+}
+
+function edgesOf(sector) {
+    return sector.ground.flatMap(ring => ring.map((point, i) => [point, ring[(i + 1) % ring.length]]));
+}
+
+function wallsOf(sector, there) {
+    const open = new Set();
+    for (const gate of sector.gates)
+        if (there.has(gate.to))
+            for (let i = 1; i < gate.line.length; ++i) open.add(`${gate.line[i - 1]},${gate.line[i]}`);
+    return edgesOf(sector).filter(([a, b]) => !open.has(`${a},${b}`));
+}
+
+function pushOff(a, b, at, point, radius) {
+    const near = nearestOnSegment(a, b, point);
+    const east = point[0] - near[0], north = point[1] - near[1], gap = Math.hypot(east, north);
+    const side = Math.sign(orient(a, b, at)) || 1;
+    const isThrough = orient(a, b, point) * side < 0 && segmentsMeet(at, point, a, b);
+    if (gap >= radius && !isThrough) return point;
+    if (gap > 0 && !isThrough) return [near[0] + east / gap * radius, near[1] + north / gap * radius];
+    const length = distance(a, b) || 1;
+    return [near[0] - side * (b[1] - a[1]) / length * radius, near[1] + side * (b[0] - a[0]) / length * radius];
+}
+
+function touches(a, b, point) {
+    return distance(nearestOnSegment(a, b, point), point) === 0;
+}
+
+/** Metres in, metres out. */
+export function constrainMetres(walls, from, to) {
+    const end = walls.constrain(latticePoint(from), [to[0] * 1000, to[1] * 1000]);
+    return [end[0] / 1000, end[1] / 1000];
+}

@@ -1,0 +1,107 @@
+const kWalkKeys = {
+    KeyW: { forward: 1 }, ArrowUp: { forward: 1 }, KeyS: { forward: -1 }, ArrowDown: { forward: -1 },
+    KeyA: { right: -1 }, KeyD: { right: 1 },
+    KeyQ: { turn: -1 }, ArrowLeft: { turn: -1 }, KeyE: { turn: 1 }, ArrowRight: { turn: 1 },
+};
+const kLookPerPixel = 0.005;      // rad
+const kStickReach = 56;           // CSS pixels from the centre to full speed
+
+/**
+ * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
+ *
+ * Mouse: a drag looks round. Touch: the left half is a stick that walks, the right half looks.
+ * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
+ */
+export class Controls {
+    /** `stick`: the element that shows the touch stick. `commands`: code -> function. */
+    constructor(surface, stick, commands) {
+        Object.assign(this, { surface, stick, commands, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
+        addEventListener('keydown', event => this.keyDown(event));
+        addEventListener('keyup', event => this.keyUp(event));
+        addEventListener('blur', () => this.release());
+        surface.addEventListener('pointerdown', event => this.pointerDown(event));
+        surface.addEventListener('pointermove', event => this.pointerMove(event));
+        for (const type of ['pointerup', 'pointercancel']) surface.addEventListener(type, event => this.pointerUp(event));
+    }
+
+    /** What is wanted now; looking is handed over once. */
+    wish() {
+        const wish = { forward: 0, right: 0, turn: 0, look: this.look, run: this.shift };
+        this.look = [0, 0];
+        for (const code of this.held)
+            for (const [axis, value] of Object.entries(kWalkKeys[code])) wish[axis] += value;
+        for (const drag of this.drags.values()) {
+            if (drag.role !== 'walk') continue;
+            wish.forward -= clamp((drag.y - drag.y0) / kStickReach);
+            wish.right += clamp((drag.x - drag.x0) / kStickReach);
+        }
+        for (const axis of ['forward', 'right', 'turn']) wish[axis] = clamp(wish[axis]);
+        return wish;
+    }
+
+    keyDown(event) {
+        this.shift = event.shiftKey;
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        if (event.target.closest?.('button, input, textarea, a') && event.code !== 'Escape') return;
+        if (event.code in kWalkKeys) {
+            this.held.add(event.code);
+            event.preventDefault();
+        } else if (!event.repeat) {
+            this.commands[event.code]?.();
+        }
+    }
+
+    keyUp(event) {
+        this.shift = event.shiftKey;
+        this.held.delete(event.code);
+    }
+
+    release() {
+        this.held.clear();
+        this.drags.clear();
+        this.shift = false;
+        this.showStick(null);
+    }
+
+    pointerDown(event) {
+        if (event.pointerType === 'mouse' && event.button !== 0) return;
+        const walks = event.pointerType === 'touch' && event.clientX < innerWidth / 2;
+        const drag = { role: walks ? 'walk' : 'look', x0: event.clientX, y0: event.clientY, x: event.clientX, y: event.clientY };
+        this.drags.set(event.pointerId, drag);
+        this.surface.setPointerCapture?.(event.pointerId);
+        this.surface.focus();
+        this.surface.classList.toggle('dragging', !walks);
+        if (walks) this.showStick(drag);
+    }
+
+    pointerMove(event) {
+        const drag = this.drags.get(event.pointerId);
+        if (!drag) return;
+        if (drag.role === 'look') {
+            this.look[0] -= (event.clientX - drag.x) * kLookPerPixel;
+            this.look[1] += (event.clientY - drag.y) * kLookPerPixel;
+        }
+        [drag.x, drag.y] = [event.clientX, event.clientY];
+        if (drag.role === 'walk') this.showStick(drag);
+    }
+
+    pointerUp(event) {
+        const drag = this.drags.get(event.pointerId);
+        this.drags.delete(event.pointerId);
+        this.surface.classList.remove('dragging');
+        if (drag?.role === 'walk') this.showStick(null);
+    }
+
+    showStick(drag) {
+        this.stick.hidden = !drag;
+        if (!drag) return;
+        this.stick.style.left = `${drag.x0}px`;
+        this.stick.style.top = `${drag.y0}px`;
+        const [x, y] = [clamp((drag.x - drag.x0) / kStickReach), clamp((drag.y - drag.y0) / kStickReach)];
+        this.stick.firstElementChild.style.transform = `translate(${x * 34}px, ${y * 34}px)`;
+    }
+}
+
+function clamp(value) {
+    return Math.min(1, Math.max(-1, value));
+}

@@ -1,0 +1,118 @@
+import { inlinePhase, inlineScene } from '../x3d/xIteInline.js';
+import { recordFromScene } from '../x3d/recordMetadata.js';
+
+const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
+const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
+
+/**
+ * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
+ * (getUserPosition, ...), constrainTranslation and the load states are that version's own.
+ *
+ * Frame   poses: { east, north, up } in plan metres of the eye, heading and pitch in radians, heading clockwise from
+ *         north, pitch up. The root world's axes are x = east, y = up, z = -north.
+ */
+export class XIteAdapter {
+    /** `canvas`: the x3d-canvas element. Its own mouse and key handling is put to sleep: the page steers. */
+    static async create(canvas) {
+        const { default: X3D } = await import(kXIteUrl);
+        await new Promise((resolve, reject) => X3D(resolve, reject));
+        const swallow = event => event.stopPropagation();
+        for (const type of kTypesToSwallow) canvas.addEventListener(type, swallow, { capture: true, passive: true });
+        return new XIteAdapter(X3D, canvas);
+    }
+
+    constructor(X3D, canvas) {
+        this.X3D = X3D;
+        this.canvas = canvas;
+        this.browser = canvas.browser;
+        this.records = new WeakMap();   // an Inline's scene -> its record
+    }
+
+    /** Fails   Error: the world cannot be fetched or read. */
+    async load(url) {
+        await this.browser.loadURL(new this.X3D.MFString(url));
+    }
+
+    /** The value of <meta name='...'> of the root world, or ''. */
+    meta(name) {
+        return [...(this.browser.currentScene.getMetaData(name) ?? [])].join(', ');
+    }
+
+    onSectorChanged(callback) {
+        const loader = this.browser.currentScene.getNamedNode('LOADER');
+        loader.addFieldCallback('page', 'sector_changed', callback);
+        if (loader.sector_changed) callback(loader.sector_changed);
+    }
+
+    /** Every sector the world has a place for: { id, phase, record }, record null unless it is there. */
+    sectors() {
+        const places = Array.from(this.browser.currentScene.getNamedNode('WORLD').children);
+        return places.flatMap(place => Array.from(place.children ?? [])).filter(node => node?.getNodeTypeName() === 'Inline')
+            .map(inline => this.sectorOf(inline));
+    }
+
+    sectorOf(inline) {
+        const id = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
+        const phase = inlinePhase(inline);
+        if (phase !== 'live') return { id, phase, record: null };
+        const scene = inlineScene(inline);
+        if (!this.records.has(scene)) this.records.set(scene, readOrNull(scene));
+        return { id, phase, record: this.records.get(scene) };
+    }
+
+    pose() {
+        const view = this.browser.activeViewpoint.getValue(), p = view.getUserPosition();
+        const ahead = view.getUserOrientation().multVecRot(new this.X3D.SFVec3f(0, 0, -1).getValue());
+        return { east: p.x, north: -p.z, up: p.y, heading: Math.atan2(ahead.x, -ahead.z), pitch: Math.asin(clampUnit(ahead.y)) };
+    }
+
+    /** Moves the eye without a transition. */
+    setPose({ east, north, up, heading, pitch }) {
+        const view = this.browser.activeViewpoint.getValue(), { SFVec3f, SFRotation } = this.X3D;
+        view.setUserPosition(new SFVec3f(east, up, -north).getValue());
+        view.setUserOrientation(new SFRotation(...axisAngle(heading, pitch)).getValue());
+    }
+
+    /** As much of the step as bodies in the way let, sliding: [east, north]. Looks two eye heights ahead at most. */
+    constrainStep([east, north]) {
+        const step = this.browser.constrainTranslation(new this.X3D.SFVec3f(east, 0, -north));
+        return step ? [step.x, -step.z] : [east, north];
+    }
+
+    /** Pixels drawn per CSS pixel. */
+    setContentScale(scale) {
+        this.browser.setBrowserOption('ContentScale', scale);
+    }
+
+    /** Does a program draw instead of a graphics card? */
+    isSoftwareRenderer() {
+        const gl = this.browser.getContext?.() ?? this.canvas.shadowRoot?.querySelector('canvas')?.getContext('webgl2');
+        const info = gl?.getExtension('WEBGL_debug_renderer_info');
+        return info ? /swiftshader|llvmpipe|software/i.test(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : false;
+    }
+
+    /** Is nothing on its way? */
+    isIdle() {
+        return this.browser._loadCount.getValue() === 0;
+    }
+}
+
+function readOrNull(scene) {
+    try {
+        return recordFromScene(scene);
+    } catch {
+        return null;   // the LOADER says so and asks again
+    }
+}
+
+function clampUnit(value) {
+    return Math.min(1, Math.max(-1, value));
+}
+
+/** Turn about up by -heading, then about the eye's own right by pitch, as X3D writes a rotation: axis and angle. */
+export function axisAngle(heading, pitch) {
+    const sy = Math.sin(-heading / 2), cy = Math.cos(-heading / 2), sp = Math.sin(pitch / 2), cp = Math.cos(pitch / 2);
+    const [x, y, z, w] = [cy * sp, sy * cp, -sy * sp, cy * cp];
+    const length = Math.hypot(x, y, z);
+    return length < 1e-9 ? [0, 1, 0, 0] : [x / length, y / length, z / length, 2 * Math.atan2(length, w)];
+}
