@@ -20,6 +20,12 @@ void write_city(const std::filesystem::path& path, const City& city,
 /// Fails   CityError: no such file, not a Vicus city, other format version, damaged record.
 City read_city(const std::filesystem::path& path);
 
+/// Number and bytes of the artefacts of one media type and coding.
+struct ArtefactTotal {
+  std::string media_type, coding;
+  std::uint64_t count = 0, bytes = 0;
+};
+
 /// A city opened immutable, for serving: single records and artefacts by key. One per thread.
 class CityReader {
  public:
@@ -32,9 +38,13 @@ class CityReader {
   std::optional<Artefact> artefact(const std::string& path, const std::vector<std::string>& codings) const;
   /// All codings stored for the path, without bodies.
   std::vector<Artefact> artefact_codings(const std::string& path) const;
+  /// By media type, then coding.
+  std::vector<ArtefactTotal> artefact_totals() const;
   std::optional<std::string> meta(const std::string& key) const;
   std::vector<std::string> sector_ids() const;  ///< in id order
   std::optional<Sector> sector(const std::string& id) const;
+  std::optional<Gate> gate(const std::string& id) const;
+  std::optional<Building> building(const std::string& id) const;
   std::vector<Gate> gates_of(const std::string& sector_id) const;
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;

@@ -1,61 +1,73 @@
 /** As much of an X3D browser's scene access as client_scripts/x3d uses. */
 export class FakeNode {
-    constructor(type, fields = {}) {
-        this.type = type;
-        this.children = [];
-        this.translation = { x: 0, y: 0, z: 0 };
-        Object.assign(this, fields);
-    }
+  constructor(type, fields = {}) {
+    this.type = type;
+    this.children = [];
+    this.translation = {x: 0, y: 0, z: 0};
+    Object.assign(this, fields);
+  }
 
-    getNodeTypeName() {
-        return this.type;
-    }
+  getNodeTypeName() { return this.type; }
 }
 
 /** Loads in one step when `load` turns true or `url` is set, as X_ITE does but for the delay. */
 export class FakeInline extends FakeNode {
-    static broken = new Set();
-    static bare = new Set();
-    #load = true;
-    #url = [];
-    #state = 1006;
+  static broken = new Set();
+  static bare = new Set();
+  #load = true;
+  #url = [];
+  #state = 1006;
 
-    constructor(served) {
-        super('Inline');
-        this.served = served;
-    }
+  constructor(served) {
+    super('Inline');
+    this.served = served;
+  }
 
-    get load() { return this.#load; }
-    set load(value) { this.#load = value; this.#start(); }
-    get url() { return this.#url; }
-    set url(value) { this.#url = value; this.#start(); }
+  get load() { return this.#load; }
+  set load(value) {
+    this.#load = value;
+    this.#start();
+  }
+  get url() { return this.#url; }
+  set url(value) {
+    this.#url = value;
+    this.#start();
+  }
 
-    #start() {
-        if (!this.#load) this.#state = 1006;
-        else if (this.#url.length) this.#state = this.served.has(this.#url[0]) && !FakeInline.broken.has(this.#url[0]) ? 1008 : 1009;
-    }
+  #start() {
+    if (!this.#load)
+      this.#state = 1006;
+    else if (this.#url.length)
+      this.#state = this.served.has(this.#url[0]) && !FakeInline.broken.has(this.#url[0]) ? 1008 : 1009;
+  }
 
-    getValue() {
-        return {
-            checkLoadState: () => this.#state,
-            getInternalScene: () => ({ getNamedNode: name => {
-                if (name !== 'RECORD' || FakeInline.bare.has(this.#url[0])) throw new Error(`no node ${name}`);
-                return metadataOf(this.served.get(this.#url[0]));
-            } }),
-        };
-    }
+  getValue() {
+    return {
+      checkLoadState: () => this.#state,
+      getInternalScene: () => ({
+        getNamedNode: name => {
+          if (name !== 'RECORD' || FakeInline.bare.has(this.#url[0])) throw new Error(`no node ${name}`);
+          return metadataOf(this.served.get(this.#url[0]));
+        }
+      }),
+    };
+  }
 }
 
 /** The record as the MetadataSet of client_scripts/README.md. */
 export function metadataOf(record) {
-    const leaf = (name, ...value) => new FakeNode('Metadata', { name, value });
-    const set = (name, ...value) => new FakeNode('MetadataSet', { name, value });
-    const gates = record.gates.map(gate => set('gate', leaf('id', gate.id), ...(gate.to ? [leaf('to', gate.to)] : []),
-        leaf('line', ...gate.line.flat())));
-    const neighbours = record.neighbours.map(other => set('neighbour', leaf('id', other.id), leaf('origin', ...other.origin),
-        leaf('box', ...other.box), leaf('shapes', other.shapes)));
-    return set('sector', leaf('id', record.id), leaf('kind', record.kind), leaf('name', record.name),
-        leaf('origin', ...record.origin), leaf('box', ...record.box), leaf('shapes', record.shapes),
-        leaf('ground_counts', ...record.ground.map(ring => ring.length)), leaf('ground', ...record.ground.flat(2)),
-        ...gates, ...neighbours);
+  const leaf = (name, ...value) => new FakeNode('Metadata', {name, value});
+  const set = (name, ...value) => new FakeNode('MetadataSet', {name, value});
+  const gates = record.gates.map(
+      gate => set(
+          'gate', leaf('id', gate.id), ...(gate.to ? [leaf('to', gate.to)] : []), leaf('line', ...gate.line.flat())));
+  const neighbours = record.neighbours.map(
+      other =>
+          set('neighbour', leaf('id', other.id), leaf('origin', ...other.origin), leaf('box', ...other.box),
+              leaf('shapes', other.shapes)));
+  return set(
+      'sector', leaf('id', record.id), leaf('kind', record.kind), leaf('name', record.name),
+      leaf('origin', ...record.origin), leaf('box', ...record.box), leaf('shapes', record.shapes),
+      leaf('ground_counts', ...record.ground.map(ring => ring.length)), leaf('ground', ...record.ground.flat(2)),
+      ...gates, ...neighbours);
 }

@@ -1,0 +1,348 @@
+#include "city_db/store_records.hpp"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "city_db/geometry_blob.hpp"
+#include "city_db/json_text.hpp"
+
+namespace vicus {
+namespace {
+
+template <class Unsigned>
+void append_le(std::string& out, Unsigned value) {
+  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<char>((value >> (8 * i)) & 0xff));
+}
+
+template <class Unsigned>
+Unsigned le_at(std::string_view bytes, std::size_t at) {
+  Unsigned value = 0;
+  for (std::size_t i = 0; i < sizeof value; ++i)
+    value |= static_cast<Unsigned>(Unsigned{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i));
+  return value;
+}
+
+std::size_t point_count(const Polygon& polygon) {
+  std::size_t n = polygon.outer.size();
+  for (const auto& hole : polygon.holes) n += hole.size();
+  return n;
+}
+
+constexpr std::size_t kTriangleBytes = 12;  // three u32
+constexpr std::size_t kSideWallBytes = 24;  // a.x, a.y, b.x, b.y i32 mm, bottom f64 m
+
+std::string bytes_from_triangles(const Triangles& triangles, [[maybe_unused]] const Polygon& polygon) {
+  assert(triangles.size() % 3 == 0);
+  std::string bytes;
+  bytes.reserve(4 * triangles.size());
+  for (const std::uint32_t index : triangles) {
+    assert(index < point_count(polygon));
+    append_le(bytes, index);
+  }
+  return bytes;
+}
+
+Triangles triangles_from(const Statement& row, int column, const Polygon& polygon) {
+  const auto bytes = row.bytes(column);
+  if (bytes.size() % kTriangleBytes != 0) row.database().throw_damaged("triangles of odd length");
+  const std::size_t points = point_count(polygon);
+  Triangles triangles(bytes.size() / 4);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    triangles[i] = le_at<std::uint32_t>(bytes, 4 * i);
+    if (triangles[i] >= points) row.database().throw_damaged("a triangle with a corner the polygon does not have");
+  }
+  return triangles;
+}
+
+std::string bytes_from_side_walls(const std::vector<SideWall>& walls) {
+  std::string bytes;
+  for (const auto& [a, b, bottom_m] : walls) {
+    for (const std::int32_t mm : {a.x, a.y, b.x, b.y}) append_le(bytes, static_cast<std::uint32_t>(mm));
+    append_le(bytes, std::bit_cast<std::uint64_t>(bottom_m));
+  }
+  return bytes;
+}
+
+std::vector<SideWall> side_walls_from(const Statement& row, int column) {
+  const auto bytes = row.bytes(column);
+  if (bytes.size() % kSideWallBytes != 0) row.database().throw_damaged("side walls of odd length");
+  std::vector<SideWall> walls;
+  for (std::size_t at = 0; at < bytes.size(); at += kSideWallBytes) {
+    const auto mm = [&](std::size_t i) { return std::bit_cast<std::int32_t>(le_at<std::uint32_t>(bytes, at + 4 * i)); };
+    SideWall wall{{mm(0), mm(1)}, {mm(2), mm(3)}, std::bit_cast<double>(le_at<std::uint64_t>(bytes, at + 16))};
+    for (const std::int64_t v : {wall.a.x, wall.a.y, wall.b.x, wall.b.y})
+      if (std::abs(v) >= kPlanLimit) row.database().throw_damaged("a side wall outside the lattice");
+    if (!std::isfinite(wall.bottom_m)) row.database().throw_damaged("a side wall whose height is not finite");
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+/// The value, or "damaged" when a decoder gave nullopt.
+template <class T>
+T require(const Statement& row, std::optional<T> value, const char* what) {
+  if (!value) row.database().throw_damaged(what);
+  return std::move(*value);
+}
+
+Polygon polygon_at(const Statement& row, int i) {
+  return require(row, decode_polygon(row.bytes(i)), "a geometry is no polygon on the lattice");
+}
+std::vector<PlanPoint> line_at(const Statement& row, int i) {
+  return require(row, decode_line(row.bytes(i)), "a geometry is no line on the lattice");
+}
+PlanPoint point_at(const Statement& row, int i) {
+  return require(row, decode_point(row.bytes(i)), "a geometry is no point on the lattice");
+}
+Tags tags_at(const Statement& row, int i) {
+  return require(row, tags_from_json(row.bytes(i)), "tags are no JSON object");
+}
+
+template <class Kind>
+Kind kind_at(const Statement& row, int i) {
+  Kind kind{};
+  const std::string name = row.text(i);
+  if (!parse_name(name, kind)) row.database().throw_damaged("unknown kind '" + name.substr(0, 40) + "'");
+  return kind;
+}
+
+std::int32_t lattice_at(const Statement& row, int i) {
+  const double m = row.real(i);
+  if (!(std::abs(m) < metres(kPlanLimit))) row.database().throw_damaged("a coordinate outside the lattice");
+  return lattice_mm(m);
+}
+
+IssueCode issue_code_at(const Statement& row, int i) {
+  const auto number = row.integer(i);
+  const auto code = static_cast<IssueCode>(number);
+  if (number < 100 || number > 999 || name_of(code)[0] == '?')
+    row.database().throw_damaged("unknown issue code " + std::to_string(number));
+  return code;
+}
+
+}  // namespace
+
+void bind_record(Statement& row, const Sector& s) {
+  row.bind_blob(1, encode_polygon(s.ground));
+  row.bind(2, s.id);
+  row.bind(3, name_of(s.kind));
+  row.bind(4, s.name);
+  row.bind(5, json_from_names(s.names));
+  row.bind(6, static_cast<std::int64_t>(s.bytes));
+  row.bind(7, metres(s.origin.x));
+  row.bind(8, metres(s.origin.y));
+  row.bind_blob(9, bytes_from_triangles(s.ground_triangles, s.ground));
+}
+
+void read_record(const Statement& row, Sector& s) {
+  s.ground = polygon_at(row, 0);
+  s.id = row.text(1);
+  s.kind = kind_at<SectorKind>(row, 2);
+  s.name = row.text(3);
+  s.names = require(row, names_from_json(row.bytes(4)), "names are no JSON array");
+  s.bytes = static_cast<std::uint64_t>(row.integer(5));
+  s.origin = {lattice_at(row, 6), lattice_at(row, 7)};
+  s.ground_triangles = triangles_from(row, 8, s.ground);
+}
+
+void bind_record(Statement& row, const Gate& g) {
+  row.bind_blob(1, encode_line(g.line));
+  row.bind(2, g.id);
+  row.bind(3, g.sector_id);
+  row.bind_or_null(4, g.to_sector_id);
+  row.bind_or_null(5, g.twin_id);
+  row.bind(6, name_of(g.kind));
+}
+
+void read_record(const Statement& row, Gate& g) {
+  g.line = line_at(row, 0);
+  g.id = row.text(1);
+  g.sector_id = row.text(2);
+  g.to_sector_id = row.text(3);
+  g.twin_id = row.text(4);
+  g.kind = kind_at<GateKind>(row, 5);
+}
+
+void bind_record(Statement& row, const Border& b) {
+  row.bind_blob(1, encode_line(b.line));
+  row.bind(2, b.sector_id);
+  row.bind_or_null(3, b.building_id);
+  row.bind(4, name_of(b.kind));
+  row.bind(5, b.height_m);
+}
+
+void read_record(const Statement& row, Border& b) {
+  b.line = line_at(row, 0);
+  b.sector_id = row.text(1);
+  b.building_id = row.text(2);
+  b.kind = kind_at<BorderKind>(row, 3);
+  b.height_m = row.real(4);
+}
+
+void bind_record(Statement& row, const Building& b) {
+  row.bind_blob(1, encode_polygon(b.footprint));
+  row.bind(2, b.id);
+  row.bind(3, b.source_id);
+  row.bind(4, b.name);
+  row.bind(5, b.sector_id);
+  row.bind(6, b.base_m);
+  row.bind(7, b.height_m);
+  row.bind(8, b.eave_m);
+  row.bind(9, b.roof_shape);
+  row.bind(10, name_of(b.height_source));
+  row.bind(11, json_from_tags(b.tags));
+  row.bind_blob(12, bytes_from_triangles(b.roof_triangles, b.footprint));
+  row.bind_blob(13, bytes_from_side_walls(b.side_walls));
+}
+
+void read_record(const Statement& row, Building& b) {
+  b.footprint = polygon_at(row, 0);
+  b.id = row.text(1);
+  b.source_id = row.text(2);
+  b.name = row.text(3);
+  b.sector_id = row.text(4);
+  b.base_m = row.real(5);
+  b.height_m = row.real(6);
+  b.eave_m = row.real(7);
+  b.roof_shape = row.text(8);
+  b.height_source = kind_at<HeightSource>(row, 9);
+  b.tags = tags_at(row, 10);
+  b.roof_triangles = triangles_from(row, 11, b.footprint);
+  b.side_walls = side_walls_from(row, 12);
+}
+
+void bind_record(Statement& row, const Obstacle& o) {
+  row.bind_blob(1, encode_polygon(o.area));
+  row.bind(2, name_of(o.kind));
+  row.bind(3, o.source_id);
+  row.bind(4, o.height_m);
+}
+
+void read_record(const Statement& row, Obstacle& o) {
+  o.area = polygon_at(row, 0);
+  o.kind = kind_at<ObstacleKind>(row, 1);
+  o.source_id = row.text(2);
+  o.height_m = row.real(3);
+}
+
+void bind_record(Statement& row, const Polygon& domain) { row.bind_blob(1, encode_polygon(domain)); }
+void read_record(const Statement& row, Polygon& domain) { domain = polygon_at(row, 0); }
+
+void bind_record(Statement& row, const Street& s) {
+  row.bind_blob(1, encode_line(s.line));
+  row.bind(2, s.source_id);
+  row.bind(3, s.name);
+  row.bind(4, s.kind);
+  row.bind(5, s.width_m);
+  row.bind(6, std::int64_t{s.is_passage});
+  row.bind(7, std::int64_t{s.is_bridge});
+  row.bind(8, std::int64_t{s.is_steps});
+}
+
+void read_record(const Statement& row, Street& s) {
+  s.line = line_at(row, 0);
+  s.source_id = row.text(1);
+  s.name = row.text(2);
+  s.kind = row.text(3);
+  s.width_m = row.real(4);
+  s.is_passage = row.integer(5) != 0;
+  s.is_bridge = row.integer(6) != 0;
+  s.is_steps = row.integer(7) != 0;
+}
+
+void bind_record(Statement& row, const StandaloneObject& o) {
+  row.bind_blob(1, encode_point(o.at));
+  row.bind(2, o.id);
+  row.bind(3, o.sector_id);
+  row.bind(4, o.kind);
+  row.bind(5, o.name);
+  row.bind(6, o.height_m);
+  row.bind(7, json_from_tags(o.tags));
+}
+
+void read_record(const Statement& row, StandaloneObject& o) {
+  o.at = point_at(row, 0);
+  o.id = row.text(1);
+  o.sector_id = row.text(2);
+  o.kind = row.text(3);
+  o.name = row.text(4);
+  o.height_m = row.real(5);
+  o.tags = tags_at(row, 6);
+}
+
+void bind_record(Statement& row, const Viewpoint& v) {
+  row.bind_blob(1, encode_point(v.at));
+  row.bind(2, v.id);
+  row.bind(3, v.sector_id);
+  row.bind(4, v.kind);
+  row.bind(5, v.name);
+  row.bind(6, v.eye_m);
+  row.bind(7, v.heading_deg);
+}
+
+void read_record(const Statement& row, Viewpoint& v) {
+  v.at = point_at(row, 0);
+  v.id = row.text(1);
+  v.sector_id = row.text(2);
+  v.kind = row.text(3);
+  v.name = row.text(4);
+  v.eye_m = row.real(5);
+  v.heading_deg = row.real(6);
+}
+
+void bind_record(Statement& row, const Visible& v) {
+  row.bind(1, v.sector_id);
+  row.bind(2, v.visible_sector_id);
+  row.bind(3, v.reason);
+}
+
+void read_record(const Statement& row, Visible& v) {
+  v.sector_id = row.text(0);
+  v.visible_sector_id = row.text(1);
+  v.reason = row.text(2);
+}
+
+void bind_record(Statement& row, const Issue& i) {
+  row.bind_blob(1, encode_point(i.at));
+  row.bind(2, static_cast<std::int64_t>(i.code));
+  row.bind(3, name_of(i.code));
+  row.bind(4, i.message);
+  row.bind(5, i.source_id);
+}
+
+void read_record(const Statement& row, Issue& i) {
+  i.at = point_at(row, 0);
+  i.code = issue_code_at(row, 1);
+  i.message = row.text(3);
+  i.source_id = row.text(4);
+}
+
+void bind_record(Statement& row, const Artefact& a) {
+  row.bind(1, a.path);
+  row.bind(2, a.media_type);
+  row.bind(3, a.coding);
+  row.bind(4, a.hash);
+  row.bind_blob(5, a.body);
+}
+
+void read_record(const Statement& row, Artefact& a) {
+  a.path = row.text(0);
+  a.media_type = row.text(1);
+  a.coding = row.text(2);
+  a.hash = row.text(3);
+  a.body = row.text(4);
+}
+
+PlanBox box_of_record(const Sector& s) { return box_of(s.ground.outer); }
+PlanBox box_of_record(const Gate& g) { return box_of(g.line); }
+PlanBox box_of_record(const Border& b) { return box_of(b.line); }
+PlanBox box_of_record(const Building& b) { return box_of(b.footprint.outer); }
+PlanBox box_of_record(const Obstacle& o) { return box_of(o.area.outer); }
+PlanBox box_of_record(const Polygon& domain) { return box_of(domain.outer); }
+PlanBox box_of_record(const Street& s) { return box_of(s.line); }
+PlanBox box_of_record(const StandaloneObject& o) { return box_of({o.at}); }
+PlanBox box_of_record(const Viewpoint& v) { return box_of({v.at}); }
+PlanBox box_of_record(const Issue& i) { return box_of({i.at}); }
+
+}  // namespace vicus

@@ -1,0 +1,83 @@
+#include "tests/support/city_equal.hpp"
+
+#include <tuple>
+
+namespace vicus {
+namespace {
+
+auto fields(const LatLon& p) { return std::tie(p.lat_deg, p.lon_deg); }
+auto fields(const Polygon& p) { return std::tie(p.outer, p.holes); }
+auto fields(const Sector& s) {
+  return std::tie(s.id, s.kind, s.name, s.names, s.ground, s.ground_triangles, s.origin, s.bytes);
+}
+auto fields(const Gate& g) { return std::tie(g.id, g.sector_id, g.to_sector_id, g.twin_id, g.kind, g.line); }
+auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kind, b.height_m, b.line); }
+auto fields(const SideWall& w) { return std::tie(w.a, w.b, w.bottom_m); }
+auto fields(const Building& b) {
+  return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.base_m, b.height_m, b.eave_m, b.roof_shape,
+                  b.height_source, b.roof_triangles, b.side_walls, b.tags);
+}
+auto fields(const Obstacle& o) { return std::tie(o.kind, o.source_id, o.height_m, o.area); }
+auto fields(const Street& s) {
+  return std::tie(s.source_id, s.name, s.kind, s.width_m, s.is_passage, s.is_bridge, s.is_steps, s.line);
+}
+auto fields(const StandaloneObject& o) { return std::tie(o.id, o.sector_id, o.kind, o.name, o.at, o.height_m, o.tags); }
+auto fields(const Viewpoint& v) { return std::tie(v.id, v.sector_id, v.kind, v.name, v.at, v.eye_m, v.heading_deg); }
+auto fields(const Visible& v) { return std::tie(v.sector_id, v.visible_sector_id, v.reason); }
+auto fields(const Artefact& a) { return std::tie(a.path, a.media_type, a.coding, a.hash, a.body); }
+auto fields(const Issue& i) { return std::tie(i.code, i.message, i.source_id, i.at); }
+
+}  // namespace
+
+bool operator==(const LatLon& a, const LatLon& b) { return fields(a) == fields(b); }
+bool operator==(const Polygon& a, const Polygon& b) { return fields(a) == fields(b); }
+bool operator==(const Sector& a, const Sector& b) { return fields(a) == fields(b); }
+bool operator==(const Gate& a, const Gate& b) { return fields(a) == fields(b); }
+bool operator==(const Border& a, const Border& b) { return fields(a) == fields(b); }
+bool operator==(const SideWall& a, const SideWall& b) { return fields(a) == fields(b); }
+bool operator==(const Building& a, const Building& b) { return fields(a) == fields(b); }
+bool operator==(const Obstacle& a, const Obstacle& b) { return fields(a) == fields(b); }
+bool operator==(const Street& a, const Street& b) { return fields(a) == fields(b); }
+bool operator==(const StandaloneObject& a, const StandaloneObject& b) { return fields(a) == fields(b); }
+bool operator==(const Viewpoint& a, const Viewpoint& b) { return fields(a) == fields(b); }
+bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
+bool operator==(const Artefact& a, const Artefact& b) { return fields(a) == fields(b); }
+bool operator==(const Issue& a, const Issue& b) { return fields(a) == fields(b); }
+
+namespace test {
+namespace {
+
+template <class Record>
+void compare(const char* name, const std::vector<Record>& a, const std::vector<Record>& b, std::string& difference) {
+  if (!difference.empty()) return;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    if (!(a[i] == b[i])) {
+      difference = std::string(name) + "[" + std::to_string(i) + "]";
+      return;
+    }
+  if (a.size() != b.size())
+    difference = std::string(name) + ": " + std::to_string(a.size()) + " and " + std::to_string(b.size()) + " rows";
+}
+
+}  // namespace
+
+std::string difference(const City& a, const City& b) {
+  if (!(a.origin == b.origin)) return "origin";
+  if (a.meta != b.meta) return "meta";
+  std::string found;
+  compare("sectors", a.sectors, b.sectors, found);
+  compare("gates", a.gates, b.gates, found);
+  compare("borders", a.borders, b.borders, found);
+  compare("buildings", a.buildings, b.buildings, found);
+  compare("obstacles", a.obstacles, b.obstacles, found);
+  compare("domain", a.domain, b.domain, found);
+  compare("streets", a.streets, b.streets, found);
+  compare("objects", a.objects, b.objects, found);
+  compare("viewpoints", a.viewpoints, b.viewpoints, found);
+  compare("visible", a.visible, b.visible, found);
+  compare("issues", a.issues, b.issues, found);
+  return found;
+}
+
+}  // namespace test
+}  // namespace vicus
