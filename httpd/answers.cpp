@@ -1,0 +1,134 @@
+#include "httpd/answers.hpp"
+
+#include <algorithm>
+
+#include "httpd/compress.hpp"
+#include "httpd/etag.hpp"
+#include "httpd/media_types.hpp"
+#include "httpd/negotiate.hpp"
+#include "httpd/problem.hpp"
+
+namespace vicus {
+
+const char* const kContentSecurityPolicy =
+    "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self' data: blob:; "
+    "img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; media-src 'self' data: blob:; "
+    "worker-src 'self' blob:; base-uri 'none'; form-action 'self'";
+
+namespace {
+
+constexpr std::size_t kLeastCompressed = 256;  // bytes; below this a coding's frame eats what it saves
+
+/// What the request allows, or the answer that ends it.
+struct Choice {
+  std::vector<std::string> codings;
+  std::optional<HttpResponse> refusal;
+};
+
+Choice choose(const HttpRequest& request, std::string_view media_type) {
+  Choice choice;
+  const auto quality = media_quality(field_of(request.fields, "Accept"), media_type.substr(0, media_type.find(';')));
+  const auto codings = accepted_codings(field_of(request.fields, "Accept-Encoding"));
+  if (!quality)
+    choice.refusal = problem(400, "The Accept field is not a list of media ranges. Leave it out, or send */*.");
+  else if (!codings)
+    choice.refusal = problem(400, "The Accept-Encoding field is not a list of codings. Leave it out, or send br, gzip.");
+  else if (*quality == 0)
+    choice.refusal = not_acceptable(std::string(media_type));
+  else
+    choice.codings = *codings;
+  return choice;
+}
+
+HttpResponse answer_in_coding(const HttpRequest& request, const std::string& media_type, const std::string& coding,
+                              const std::string& etag, Caching caching) {
+  HttpResponse response;
+  response.fields = {{"ETag", etag},
+                     {"Vary", "Accept, Accept-Encoding"},
+                     {"Cache-Control", caching == Caching::immutable ? "public, max-age=31536000, immutable, no-transform"
+                                                                     : "public, no-cache, no-transform"}};
+  if (names_etag(field_of(request.fields, "If-None-Match"), etag)) {
+    response.status = 304;
+    return response;
+  }
+  response.fields.emplace_back("Content-Type", media_type);
+  if (coding != "identity") response.fields.emplace_back("Content-Encoding", coding);
+  return response;
+}
+
+/// The coding for bytes we code ourselves; empty: none suits.
+std::string own_coding(const std::vector<std::string>& codings, std::string_view media_type, std::size_t bytes) {
+  if (codings.empty()) return "";
+  const bool pays = is_compressible(media_type) && bytes >= kLeastCompressed;
+  const bool takes_identity = std::find(codings.begin(), codings.end(), "identity") != codings.end();
+  return !pays && takes_identity ? "identity" : codings.front();
+}
+
+/// A media type from a file we did not write ourselves goes into a header line: token characters and '/', '+' only.
+std::string safe_media_type(const std::string& media_type) {
+  const auto is_safe = [](unsigned char c) { return c > 0x20 && c < 0x7f && c != '"' && c != ',' && c != ';'; };
+  const bool ok = !media_type.empty() && std::all_of(media_type.begin(), media_type.end(), is_safe);
+  return ok ? media_type : "application/octet-stream";
+}
+
+const char* const kNoCoding = "the codings br, gzip and identity; the request refuses all of them";
+
+}  // namespace
+
+HttpResponse not_acceptable(const std::string& what_there_is) {
+  auto response = problem(406, "There is only " + what_there_is + ". Ask for that, or send */*.");
+  set_field(response.fields, "Vary", "Accept, Accept-Encoding");
+  return response;
+}
+
+HttpResponse answer_file(const HttpRequest& request, const StaticFile& file, Caching caching) {
+  auto choice = choose(request, file.media_type());
+  if (choice.refusal) return *std::move(choice.refusal);
+  const auto bytes = file.in_coding("identity").body->size();
+  const auto coding = own_coding(choice.codings, file.media_type(), bytes);
+  if (coding.empty()) return not_acceptable(kNoCoding);
+  const auto representation = file.in_coding(coding);
+  auto response = answer_in_coding(request, file.media_type(), coding, representation.etag, caching);
+  if (response.status == 200) response.body = representation.body;
+  return response;
+}
+
+HttpResponse answer_made(const HttpRequest& request, const std::string& media_type, std::string bytes) {
+  auto choice = choose(request, media_type);
+  if (choice.refusal) return *std::move(choice.refusal);
+  const auto coding = own_coding(choice.codings, media_type, bytes.size());
+  if (coding.empty()) return not_acceptable(kNoCoding);
+  const auto etag = etag_of(quick_hash(bytes), coding);
+  auto response = answer_in_coding(request, media_type, coding, etag, Caching::revalidate);
+  if (response.status == 200)
+    response.body = body_of(coding == "identity" ? std::move(bytes) : compress(bytes, coding, Effort::on_request));
+  return response;
+}
+
+std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city,
+                                            const std::string& path) {
+  const auto rows = city.artefact_codings(path);
+  if (rows.empty()) return std::nullopt;
+  const auto media_type = safe_media_type(rows.front().media_type);
+  auto choice = choose(request, media_type);
+  if (choice.refusal) return *std::move(choice.refusal);
+  for (const auto& coding : choice.codings) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Artefact& r) { return r.coding == coding; });
+    if (row == rows.end()) continue;
+    auto response = answer_in_coding(request, media_type, coding, etag_of(row->hash, coding), Caching::revalidate);
+    if (response.status != 200) return response;
+    if (auto artefact = city.artefact(path, {coding})) response.body = body_of(std::move(artefact->body));
+    return response;
+  }
+  return not_acceptable(kNoCoding);
+}
+
+void add_common_fields(HttpResponse& response) {
+  set_field(response.fields, "Access-Control-Allow-Origin", "*");
+  set_field(response.fields, "Access-Control-Expose-Headers", "ETag, Link");
+  set_field(response.fields, "Cross-Origin-Resource-Policy", "cross-origin");
+  set_field(response.fields, "Referrer-Policy", "no-referrer");
+  set_field(response.fields, "X-Content-Type-Options", "nosniff");
+}
+
+}  // namespace vicus

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "city_db/store.hpp"
+#include "httpd/message.hpp"
+#include "httpd/static_files.hpp"
+
+/// From bytes to an answer: the coding and media type the client takes, validator, 304, 406, caching.
+namespace vicus {
+
+/// revalidate: a cache asks each time (304 when nothing changed). immutable: the path changes when the bytes do.
+enum class Caching { revalidate, immutable };
+
+HttpResponse answer_file(const HttpRequest& request, const StaticFile& file, Caching caching);
+
+/// Bytes made for this request; coded here when that pays.
+HttpResponse answer_made(const HttpRequest& request, const std::string& media_type, std::string bytes);
+
+/// A row of table `artefact`; nullopt: there is no such path.
+std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city, const std::string& path);
+
+/// 406 that says what there is.
+HttpResponse not_acceptable(const std::string& what_there_is);
+
+/// Fields every answer bears: any page may read it, no browser may take it for another type.
+void add_common_fields(HttpResponse& response);
+
+/// For / and whatever else is a document: scripts from here only; X3D Script nodes need eval, X_ITE's tangents WASM
+/// (research/X3D_CLIENT.md §1).
+extern const char* const kContentSecurityPolicy;
+
+}  // namespace vicus

@@ -1,0 +1,44 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "city_db/store.hpp"
+
+/// The city as it is on disk now: opened immutable, and opened anew when a build has put another file in its place.
+/// One per thread.
+namespace vicus {
+
+class LiveCity {
+ public:
+  /// `reopened` is called after each change of file.
+  /// Fails   CityError: the city cannot be opened.
+  LiveCity(std::filesystem::path path, std::function<void()> reopened);
+
+  /// The reader for one request. Looks at the file at most once in kLookInterval; a new file that cannot be opened
+  /// (it is being copied, or is damaged) leaves the old city in service.
+  const CityReader& reader();
+  /// Changes with every newly opened city: a key for what is derived from it and kept.
+  std::uint64_t generation() const { return generation_; }
+
+  static constexpr std::chrono::milliseconds kLookInterval{1000};
+
+ private:
+  struct Stamp {
+    std::uint64_t device = 0, inode = 0, size = 0;
+    std::int64_t seconds = 0, nanoseconds = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  static std::optional<Stamp> stamp_of(const std::filesystem::path& path);
+
+  std::filesystem::path path_;
+  std::function<void()> reopened_;
+  Stamp stamp_;
+  CityReader reader_;
+  std::uint64_t generation_ = 0;
+  std::chrono::steady_clock::time_point looked_;
+};
+
+}  // namespace vicus
