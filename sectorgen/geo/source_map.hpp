@@ -14,22 +14,22 @@ namespace vicus {
 struct Footprint {
   std::string source_id;  ///< way/123, relation/45, or LAYER#FID
   std::string name;
-  Polygon area;           ///< valid: simple rings, outer counter-clockwise, holes clockwise inside it
-  double base_m = 0;      ///< min_height, or min_level x storey height; building=roof, canopy: > 0
-  double height_m = 0;    ///< top, > base_m
+  Polygon area;         ///< valid: simple rings, outer counter-clockwise, holes clockwise inside it
+  double base_m = 0;    ///< min_height, or min_level x storey height; building=roof, canopy: > 0
+  double height_m = 0;  ///< top, > base_m
   double eave_m = 0;
   std::string roof_shape = "flat";
   HeightSource height_source = HeightSource::guessed;
-  bool is_part = false;   ///< building:part
+  bool is_part = false;  ///< building:part
   Tags tags;
 };
 
 /// A centre line that makes the ground walkable: street, square's path, passage, steps.
 struct Axis {
   std::string source_id, name;
-  std::string kind;           ///< highway value; "unknown" where the source names none
-  double width_m = 0;         ///< carriageway and pavements as tagged, or typical for the kind; > 0
-  bool is_passage = false;    ///< tunnel=building_passage (or covered)
+  std::string kind;         ///< highway value; "unknown" where the source names none
+  double width_m = 0;       ///< carriageway and pavements as tagged, or typical for the kind; > 0
+  bool is_passage = false;  ///< tunnel=building_passage (or covered)
   bool is_bridge = false, is_steps = false;
   std::vector<PlanPoint> line;  ///< >= 2 points, consecutive ones differ
 };
@@ -46,8 +46,8 @@ struct Barrier {
   std::string source_id;
   bool is_wall = true;  ///< else a fence
   double height_m = 2, thickness_m = 0.3;
-  std::vector<PlanPoint> line;           ///< closed when the first and last point are equal
-  std::vector<PlanPoint> openings;       ///< barrier=gate, entrance, ... on it
+  std::vector<PlanPoint> line;      ///< closed when the first and last point are equal
+  std::vector<PlanPoint> openings;  ///< barrier=gate, entrance, ... on it
 };
 
 struct PointObject {
@@ -64,8 +64,9 @@ struct SourceMap {
   std::vector<Area> areas;
   std::vector<Barrier> barriers;
   std::vector<PointObject> objects;
-  std::vector<Polygon> boundary;      ///< --boundary; empty: the domain is derived
-  std::vector<std::string> licences;  ///< attribution lines, deduplicated, e.g. "© OpenStreetMap contributors, ODbL 1.0"
+  std::vector<Polygon> boundary;  ///< --boundary; empty: the domain is derived
+  std::vector<std::string>
+      licences;  ///< attribution lines, deduplicated, e.g. "© OpenStreetMap contributors, ODbL 1.0"
 };
 
 struct LoadOptions {

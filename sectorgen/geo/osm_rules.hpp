@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+
+#include "sectorgen/geo/raw_map.hpp"
+
+/// Which OSM-tagged feature is what. Pure functions of the tags; files with other attributes are first translated
+/// (attribute_rules.hpp). The tables stand in osm_rules.cpp.
+namespace vicus {
+
+/// What a closed way, a multipolygon or a polygon feature is; nothing: nothing we need.
+/// Underground houses (location=underground, layer < 0) are nothing.
+std::optional<Theme> theme_of_polygon(const Tags& tags);
+/// street (an axis: research "which lines are axes") or barrier; nothing: neither.
+std::optional<Theme> theme_of_line(const Tags& tags);
+/// The kind of a mapped point: tree, street_lamp, fountain, bench, door, shop, ...; "" for an untagged one.
+std::string kind_of_point(const Tags& tags);
+
+/// True for a tagged node that lets people through the wall or fence it lies on.
+bool is_opening(const Tags& tags);
+/// True for ways people use, axis or not: a wall that shares a node with one is open there.
+bool is_walked_way(const Tags& tags);
+
+/// Carriageway and pavements: `width`, else lanes x 3 m + pavements, else typical for the kind.
+double axis_width_m(const Tags& tags);
+bool is_passage(const Tags& tags);
+
+bool is_wall(const Tags& tags);
+double barrier_height_m(const Tags& tags);
+double barrier_thickness_m(const Tags& tags);
+
+/// Height above ground of the underside, 0 for a house that stands on the ground. A roof or carport without
+/// min_height is given the underside that leaves room to walk.
+double building_base_m(const Tags& tags, Theme theme, double height_m);
+/// Room to walk: a house with a lower underside blocks the ground.
+inline constexpr double kWalkableUnderM = 2.5;
+inline constexpr double kStoreyM = 3.0;
+
+/// building=roof, canopy, carport: stands on posts.
+bool is_open_below(const Tags& tags);
+/// garage, shed, hut, ...: low where no height is tagged.
+bool is_outbuilding(const Tags& tags);
+
+}  // namespace vicus

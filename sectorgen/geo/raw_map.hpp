@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "city_db/city.hpp"
+
+/// What the file readers hand on: classified features in degrees, with OSM-like tags, not yet projected or checked.
+namespace vicus {
+
+enum class Theme { building, part, square, park, water, plot, street, barrier, object, boundary };
+
+/// One feature of one theme. `lines` is, by theme: a polygon's rings, outer first; one centre line or wall; one point.
+struct RawFeature {
+  Theme theme = Theme::building;
+  std::string source_id;
+  Tags tags;
+  std::vector<std::vector<LatLon>> lines;
+  std::vector<LatLon> openings;  ///< barrier only
+  bool is_cut = false;           ///< a piece cut off at a tile border: its size says nothing about the house
+};
+
+/// A fault found while reading, its place still in degrees.
+struct RawIssue {
+  IssueCode code = IssueCode::unreadable_feature;
+  std::string message, source_id;
+  LatLon at;
+  bool has_place = false;
+};
+
+struct RawMap {
+  std::vector<RawFeature> features;
+  std::vector<RawIssue> issues;
+  std::vector<std::string> licences;
+};
+
+inline constexpr const char* kOsmLicence = "© OpenStreetMap contributors, ODbL 1.0";
+
+}  // namespace vicus
