@@ -26,7 +26,17 @@ std::vector<T> copies(const std::vector<const T*>& list) {
   return out;
 }
 
+bool meet(const PlanBox& a, const PlanBox& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
 }  // namespace
+
+PlanBox box_of(const Polygon& polygon) {
+  PlanBox box;
+  for (const auto& p : polygon.outer) box.add(p);
+  return box;
+}
 
 CityIndex::CityIndex(const City& city) : city_(&city) {
   for (const auto& s : city.sectors) sectors_.emplace(s.id, &s);
@@ -73,8 +83,8 @@ const std::vector<const Visible*>& CityIndex::visible_from(const std::string& id
   return find_list(visible_from_, id);
 }
 
-CitySource source_of(const CityIndex& index) {
-  CitySource source;
+RecordSource source_of(const CityIndex& index) {
+  RecordSource source;
   source.sector = [&index](const std::string& id) {
     const Sector* s = index.sector(id);
     return s ? std::optional<Sector>(*s) : std::nullopt;
@@ -82,6 +92,18 @@ CitySource source_of(const CityIndex& index) {
   source.gates_of = [&index](const std::string& id) { return copies(index.gates_of(id)); };
   source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
+  source.houses_in = [&index](const PlanBox& box) {
+    std::vector<Building> houses;
+    for (const auto& house : index.city().buildings)
+      if (meet(box_of(house.footprint), box)) houses.push_back(house);
+    return houses;
+  };
+  source.sector_ids = [&index] {
+    std::vector<std::string> ids;
+    for (const auto& s : index.city().sectors) ids.push_back(s.id);
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  };
   source.meta = [&index](const std::string& key) {
     const auto at = index.city().meta.find(key);
     return at == index.city().meta.end() ? std::string() : at->second;

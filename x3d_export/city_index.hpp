@@ -6,16 +6,21 @@
 #include <vector>
 
 #include "city_db/city.hpp"
+#include "city_db/store.hpp"
 
 /// Finding the records of a city by sector.
 namespace vicus {
 
+PlanBox box_of(const Polygon& polygon);
+
 /// Where records come from: a City in memory, or a reader of a city file (the server). Lists in id order.
-struct CitySource {
+struct RecordSource {
   std::function<std::optional<Sector>(const std::string& id)> sector;
   std::function<std::vector<Gate>(const std::string& sector_id)> gates_of;
   std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
+  std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
+  std::function<std::vector<std::string>()> sector_ids;
   std::function<std::string(const std::string& key)> meta;  ///< empty where there is none
 };
 
@@ -51,6 +56,10 @@ class CityIndex {
 };
 
 /// Needs   `index` outlives the source.
-CitySource source_of(const CityIndex& index);
+RecordSource source_of(const CityIndex& index);
+
+/// The same from a city file, for the server.
+/// Needs   `reader` outlives the source.   Fails   CityError as CityReader does.
+RecordSource source_of(const CityReader& reader);
 
 }  // namespace vicus

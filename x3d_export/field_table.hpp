@@ -17,7 +17,7 @@ struct NodeSpec {
   std::string_view name;
   std::string_view component;
   int level;                   ///< of the component, as our fields need it
-  std::string_view container;  ///< containerField when none is said
+  std::string_view container;  ///< containerField when none is said; empty: readers disagree, so it is always said
   bool in_vrml97;
   std::vector<FieldSpec> fields;
 };

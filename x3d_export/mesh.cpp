@@ -8,6 +8,9 @@
 namespace vicus {
 namespace {
 
+/// Streets are narrow: much of the light on a facade comes from the sky and the houses opposite.
+constexpr double kAmbient = 0.4;
+
 double unit(std::uint8_t channel) { return channel / 255.0; }
 std::vector<double> values_of(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
 
@@ -29,6 +32,7 @@ class Numbering {
 
 Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
   Node material("Material");
+  if (surface != Surface::backdrop) material.set("ambientIntensity", kAmbient);
   if (surface == Surface::backdrop)
     material.set("diffuseColor", std::vector<double>{0, 0, 0}).set("emissiveColor", values_of(colour));
   else

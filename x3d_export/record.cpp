@@ -81,13 +81,7 @@ Node neighbour_node(const SectorNeighbour& neighbour) {
 
 }  // namespace
 
-PlanBox box_of(const Polygon& polygon) {
-  PlanBox box;
-  for (const auto& p : polygon.outer) box.add(p);
-  return box;
-}
-
-SectorRecord sector_record(const CitySource& source, const Sector& sector, int shapes) {
+SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
   SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}};
   std::set<std::string> behind, visible;
   for (const auto& g : record.gates)

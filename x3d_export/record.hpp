@@ -27,9 +27,7 @@ struct SectorRecord {
   std::vector<Viewpoint> viewpoints;
 };
 
-PlanBox box_of(const Polygon& polygon);
-
-SectorRecord sector_record(const CitySource& source, const Sector& sector, int shapes);
+SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes);
 
 /// The text of /sectors/ID.json.
 std::string record_json(const SectorRecord& record);

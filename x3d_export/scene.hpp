@@ -68,6 +68,7 @@ struct Node {
   /// Needs   the field table lists it for this node with a type that `value` fits (assert).
   Node& set(std::string_view field, FieldValue value);
   Node& set(std::string_view field, const char* value) { return set(field, FieldValue(std::string(value))); }
+  Node& set(std::string_view field, bool value) { return set(field, FieldValue(value)); }
   Node& set(std::string_view field, double value) { return set(field, FieldValue(std::vector<double>{value})); }
   /// Appends a node to a node field (`children`, `geometry`, ...); returns *this.
   Node& add(std::string_view field, Node node);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "x3d_export/text.hpp"
+
 namespace vicus {
 namespace {
 
@@ -45,7 +47,7 @@ Scene empty_scene(const SectorParts& parts, int part) {
 /// open.
 void add_content(Scene& scene, const SectorParts& parts, std::vector<Node> content, int shapes) {
   Node info("WorldInfo");
-  info.set("title", FieldValue(parts.place()));
+  info.set("title", FieldValue(caption_of(parts.place())));
   if (parts.detail == Detail::near) {
     const SectorRecord record = sector_record(source_of(parts.index), parts.sector, shapes);
     if (parts.format == SceneFormat::vrml) {
@@ -96,7 +98,7 @@ std::size_t largest(const std::vector<ExportFile>& files, std::size_t first) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> rights_of(const CitySource& source) {
+std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& source) {
   std::vector<std::pair<std::string, std::string>> metas;
   if (const auto licences = source.meta("licences"); !licences.empty()) metas.emplace_back("rights", licences);
   return metas;
@@ -105,7 +107,7 @@ std::vector<std::pair<std::string, std::string>> rights_of(const CitySource& sou
 Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& place) {
   const X3dPoint p = x3d_from_plan(v.at, height_mm(v.eye_m), origin);
   Node node("Viewpoint");
-  node.set("description", FieldValue(v.name.empty() ? place : v.name));
+  node.set("description", FieldValue(caption_of(v.name.empty() ? place : v.name)));
   node.set("position", std::vector<double>{metres(p.x), metres(p.y), metres(p.z)});
   return node.set("orientation", std::vector<double>{0, 1, 0, x3d_yaw_from_heading(v.heading_deg)});
 }

@@ -27,6 +27,6 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
 Node viewpoint_node(const Viewpoint& viewpoint, PlanPoint origin, const std::string& place);
 
 /// Licence and source lines of the city as meta tags.
-std::vector<std::pair<std::string, std::string>> rights_of(const CitySource& source);
+std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& source);
 
 }  // namespace vicus

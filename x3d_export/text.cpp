@@ -138,6 +138,13 @@ std::string vrml_quoted(std::string_view text) {
   return out + '"';
 }
 
+std::string caption_of(std::string_view name) {
+  std::string caption = clean_text(name);
+  if (caption.ends_with('"')) caption.replace(caption.size() - 1, 1, "\xE2\x80\x9D");  // U+201D
+  if (caption.starts_with('"')) caption.replace(0, 1, "\xE2\x80\x9C");                 // U+201C
+  return caption;
+}
+
 std::uint64_t steady_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;

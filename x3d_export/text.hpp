@@ -26,6 +26,10 @@ std::string xml_escaped(std::string_view text);
 /// "text" with quotes, as VRML97 and the strings inside an X3D MFString write it. Cleans.
 std::string vrml_quoted(std::string_view text);
 
+/// A name as a caption (WorldInfo title, Viewpoint description): quotation marks at its ends become typographic ones,
+/// because readers of X3D take an SFString between straight ones for a mistake and strip them.
+std::string caption_of(std::string_view name);
+
 /// FNV-1a, 64 bits: steady over runs and machines, for palettes.
 std::uint64_t steady_hash(std::string_view text);
 

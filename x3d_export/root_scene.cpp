@@ -1,0 +1,231 @@
+#include "x3d_export/root_scene.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include "x3d_export/colours.hpp"
+#include "x3d_export/frames.hpp"
+#include "x3d_export/record.hpp"
+#include "x3d_export/sector_scene.hpp"
+#include "x3d_export/text.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr PlanPoint kRootOrigin{0, 0};
+/// The sensor holds any city the lattice can hold near its origin (DESIGN §2: 100 km) and any height.
+constexpr double kSensorSide_m = 200'000, kSensorHeight_m = 4000;
+constexpr double kAvatar_m[] = {0.25, 1.7, 0.4};  // radius, eye, step
+constexpr double kWalk_m_per_s = 1.6;
+constexpr double kTallest_m = 16;  // at least the backdrops at the city's ends
+
+using Ids = std::set<std::string>;
+
+/// Sectors behind the gates of `id`.
+Ids behind_gates(const RecordSource& source, const std::string& id) {
+  Ids ids;
+  for (const auto& gate : source.gates_of(id))
+    if (!gate.to_sector_id.empty()) ids.insert(gate.to_sector_id);
+  return ids;
+}
+
+/// L_i of paper 004 §5.1: the start, then i times the L_vis of all that are in.
+Ids sectors_within(const RecordSource& source, const std::string& start, int level) {
+  Ids all{start}, latest{start};
+  for (int i = 0; i < level && !latest.empty(); ++i) {
+    Ids found;
+    for (const auto& id : latest) {
+      for (const auto& v : source.visible_from(id)) found.insert(v.visible_sector_id);
+      found.merge(behind_gates(source, id));
+    }
+    latest.clear();
+    for (const auto& id : found)
+      if (all.insert(id).second) latest.insert(id);
+  }
+  return all;
+}
+
+/// The start sector first, then the others by id.
+std::vector<Sector> initial_sectors(const RecordSource& source, const RootOptions& options, const Sector& start) {
+  std::vector<Sector> sectors{start};
+  Ids ids = options.is_static ? sectors_within(source, start.id, options.level) : behind_gates(source, start.id);
+  ids.erase(start.id);
+  for (const auto& id : ids)
+    if (auto sector = source.sector(id)) sectors.push_back(std::move(*sector));
+  return sectors;
+}
+
+/// bboxCenter and bboxSize of all that the sector's file draws, in the sector's frame.
+void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
+  PlanBox box = box_of(sector.ground);
+  double top_m = kTallest_m;
+  // Facades on this ground's edge may belong to houses whose roofs other sectors send: they count for the height only.
+  for (const auto& house : source.houses_in(box_of(sector.ground))) {
+    top_m = std::max(top_m, house.height_m);
+    if (house.sector_id == sector.id)
+      for (const auto& p : house.footprint.outer) box.add(p);
+  }
+  const X3dPoint low = x3d_from_plan(box.min, 0, sector.origin), high = x3d_from_plan(box.max, 0, sector.origin);
+  node.set("bboxCenter",
+           std::vector<double>{(metres(low.x) + metres(high.x)) / 2, top_m / 2, (metres(low.z) + metres(high.z)) / 2});
+  node.set("bboxSize", std::vector<double>{metres(high.x - low.x), top_m, metres(low.z - high.z)});
+}
+
+std::vector<double> root_position(PlanPoint origin) {
+  const X3dPoint p = x3d_from_plan(origin, 0, kRootOrigin);
+  return {metres(p.x), metres(p.y), metres(p.z)};
+}
+
+Node place_node(const RecordSource& source, const RootOptions& options, const Sector& sector, std::size_t number) {
+  const std::string suffix = std::to_string(number);
+  Node inline_node("Inline", "S_" + suffix);
+  if (!options.is_static && options.format != SceneFormat::vrml) inline_node.set("load", false);
+  set_bounds(inline_node, source, sector);
+  inline_node.set("url", std::vector<std::string>{options.base + sector.id + suffix_of(options.format)});
+  Node place("Transform", "P_" + suffix);
+  place.set("translation", root_position(sector.origin));
+  return place.add(std::move(inline_node));
+}
+
+/// Somewhere on the ground, for a sector without viewpoints: the middle of its largest triangle.
+Viewpoint some_viewpoint(const Sector& sector) {
+  std::vector<PlanPoint> points = sector.ground.outer;
+  for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
+  Viewpoint v;
+  v.at = points.front();
+  std::int64_t largest = 0;
+  for (std::size_t i = 0; i + 2 < sector.ground_triangles.size(); i += 3) {
+    const auto& t = sector.ground_triangles;
+    const PlanPoint a = points.at(t[i]), b = points.at(t[i + 1]), c = points.at(t[i + 2]);
+    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, area2 = ux * vy - uy * vx;
+    if (area2 <= largest) continue;
+    largest = area2;
+    const auto mean = [](std::int64_t p, std::int64_t q, std::int64_t r) {
+      return static_cast<std::int32_t>((p + q + r) / 3);
+    };
+    v.at = {mean(a.x, b.x, c.x), mean(a.y, b.y, c.y)};
+  }
+  return v;
+}
+
+std::vector<Node> viewpoint_nodes(const RecordSource& source, const Sector& start) {
+  auto viewpoints = source.viewpoints_of(start.id);
+  std::stable_partition(viewpoints.begin(), viewpoints.end(), [](const Viewpoint& v) { return v.kind == "start"; });
+  if (viewpoints.empty()) viewpoints.push_back(some_viewpoint(start));
+  const std::string place = start.name.empty() ? name_of(start.kind) : start.name;
+  std::vector<Node> nodes;
+  for (const auto& v : viewpoints) nodes.push_back(viewpoint_node(v, kRootOrigin, place));
+  return nodes;
+}
+
+std::vector<double> colours(std::initializer_list<Colour> list) {
+  std::vector<double> values;
+  for (const auto& c : list)
+    for (const auto channel : {c.r, c.g, c.b}) values.push_back(channel / 255.0);
+  return values;
+}
+
+/// Sky, light and the way a visitor moves.
+std::vector<Node> surroundings() {
+  Node navigation("NavigationInfo"), sky("Background"), sun("DirectionalLight"), fill("DirectionalLight");
+  navigation.set("avatarSize", std::vector<double>(std::begin(kAvatar_m), std::end(kAvatar_m)));
+  navigation.set("headlight", false).set("speed", kWalk_m_per_s);
+  navigation.set("type", std::vector<std::string>{"WALK", "ANY"});
+  sky.set("skyAngle", std::vector<double>{0.9, 1.57})
+      .set("skyColor", colours({{92, 141, 196}, {150, 186, 220}, kSkyColour}));
+  sky.set("groundAngle", std::vector<double>{1.3, 1.57});
+  sky.set("groundColor", colours({{120, 118, 112}, {150, 150, 146}, kSkyColour}));
+  sun.set("direction", std::vector<double>{0.5, -0.75, -0.4}).set("intensity", 0.9).set("ambientIntensity", 0.7);
+  fill.set("direction", std::vector<double>{-0.6, -0.35, 0.7}).set("intensity", 0.4).set("ambientIntensity", 0.4);
+  return {navigation, sky, sun, fill};
+}
+
+ScriptField field(const char* name, FieldType type, FieldValue value) {
+  return {name, type, Access::initialize_only, std::move(value), {}};
+}
+ScriptField node_field(const char* name, FieldType type, std::vector<Node> nodes) {
+  return {name, type, Access::initialize_only, std::string(), std::move(nodes)};
+}
+
+Node loader_node(const RootOptions& options, const std::vector<Sector>& sectors, const Node& world) {
+  std::vector<std::string> ids;
+  std::vector<double> origins;
+  std::vector<Node> inlines, places;
+  for (const auto& s : sectors) {
+    ids.push_back(s.id);
+    for (const double v : root_position(s.origin)) origins.push_back(v);
+  }
+  for (const auto& place : world.nodes.front().nodes) {
+    places.push_back(use_of(place));
+    if (options.format != SceneFormat::vrml) inlines.push_back(use_of(place.nodes.front().nodes.front()));
+  }
+  Node script("Script", "LOADER");
+  script.set("directOutput", true).set("url", std::vector<std::string>{options.loader_url});
+  script.interface = {{"set_position", FieldType::sf_vec3f, Access::input_only, std::string(), {}},
+                      {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
+                      field("start", FieldType::sf_string, sectors.front().id),
+                      field("base", FieldType::sf_string, options.base),
+                      field("ids", FieldType::mf_string, ids),
+                      node_field("inlines", FieldType::mf_node, inlines),
+                      node_field("places", FieldType::mf_node, places),
+                      node_field("world", FieldType::sf_node, {use_of(world)}),
+                      field("origins", FieldType::mf_vec3d, origins),
+                      {"sector_changed", FieldType::sf_string, Access::output_only, std::string(), {}}};
+  return script;
+}
+
+}  // namespace
+
+std::string start_sector(const RecordSource& source) {
+  if (const auto named = source.meta("start"); !named.empty() && source.sector(named)) return named;
+  const auto ids = source.sector_ids();
+  assert(!ids.empty());
+  for (const auto& id : ids)
+    for (const auto& v : source.viewpoints_of(id))
+      if (v.kind == "start") return id;
+  for (const auto& id : ids)
+    if (source.sector(id)->kind == SectorKind::square) return id;
+  return ids.front();
+}
+
+std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& options) {
+  const auto start = source.sector(options.start.empty() ? start_sector(source) : options.start);
+  if (!start) return std::nullopt;
+  const auto sectors = initial_sectors(source, options, *start);
+  const std::string name = source.meta("name").empty() ? "A city" : source.meta("name");
+
+  Scene scene;
+  scene.title = std::string("city") + suffix_of(options.format);
+  scene.metas.emplace_back("description", name + ": walk through it street by street");
+  for (auto& meta : rights_of(source)) scene.metas.push_back(std::move(meta));
+  Node info("WorldInfo");
+  std::vector<std::string> lines;
+  for (const auto& [key, text] : rights_of(source)) lines.push_back(text);
+  info.set("title", FieldValue(caption_of(name)));
+  if (!lines.empty()) info.set("info", lines);
+  scene.nodes.push_back(std::move(info));
+  for (auto& node : surroundings()) scene.nodes.push_back(std::move(node));
+  for (auto& node : viewpoint_nodes(source, *start)) scene.nodes.push_back(std::move(node));
+
+  Node world("Group", "WORLD");
+  for (std::size_t i = 0; i < sectors.size(); ++i) world.add(place_node(source, options, sectors[i], i));
+  scene.nodes.push_back(world);
+  if (options.is_static) return scene;
+  Node visitor("ProximitySensor", "VISITOR");
+  visitor.set("center", root_position(start->origin));
+  visitor.set("size", std::vector<double>{kSensorSide_m, kSensorHeight_m, kSensorSide_m});
+  scene.nodes.push_back(std::move(visitor));
+  scene.nodes.push_back(loader_node(options, sectors, world));
+  scene.routes = {{"VISITOR", "position_changed", "LOADER", "set_position"},
+                  {"VISITOR", "orientation_changed", "LOADER", "set_orientation"}};
+  return scene;
+}
+
+std::optional<std::string> root_text(const RecordSource& source, const RootOptions& options) {
+  const auto scene = root_scene(source, options);
+  if (!scene) return std::nullopt;
+  return write_scene(*scene, options.format);
+}
+
+}  // namespace vicus

@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "x3d_export/city_index.hpp"
+#include "x3d_export/writers.hpp"
+
+/// The root world: the file that a visitor opens (DESIGN §10, client_scripts/README.md).
+namespace vicus {
+
+struct RootOptions {
+  std::string start;  ///< sector id; empty: start_sector()
+  SceneFormat format = SceneFormat::x3d;
+  bool is_static = false;  ///< no Script: `level` rings of sectors, all loaded
+  int level = 1;           ///< static only: i of L_i (paper 004 §5.1)
+  std::string base = "sectors/";
+  std::string loader_url = "client/loader.js";
+};
+
+/// Where a visitor starts when no sector is named: meta "start", else the first sector with a start viewpoint, else the
+/// first square, else the first sector; by id.
+/// Needs   at least one sector (assert).
+std::string start_sector(const RecordSource& source);
+
+/// One big ProximitySensor, the LOADER Script and an Inline for the start sector and those behind its gates: never one
+/// list of the city. Others are added by the Script from the records it learns of.
+/// Frame   the plan frame in X3D axes; each sector under a Transform, so that its own numbers stay small.
+/// Differs from paper 004 §5 in VRML97 only: initial sectors are children from the start, as an Inline has no `load`.
+/// nullopt: there is no such start sector.
+std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& options);
+
+/// root_scene as a file's text.
+std::optional<std::string> root_text(const RecordSource& source, const RootOptions& options);
+
+}  // namespace vicus
