@@ -7,6 +7,8 @@
 namespace vicus::rules {
 namespace {
 
+constexpr std::size_t kNamedSectors = 4;  ///< of a fault that concerns many
+
 std::string describe(const City& city, std::span<const EdgeUse> uses) {
   for (const auto& use : uses) {
     if (use.layer == Layer::sector) return "sector " + city.sectors[use.owner].id;
@@ -86,11 +88,9 @@ void report_bad_faces(const Subject& subject, const std::vector<FaceNote>& notes
     if (!notes[f].is_bad) continue;
     error += plane.face_twice_mm2[f];
     std::string message = area_text(plane.face_twice_mm2[f]) + " of " + find_fault(plane.face_covers[f]), id;
-    for (const auto s : notes[f].sectors) {
-      const auto& name = subject.city.sectors[s].id;
-      message += (id.empty() ? ": " : ", ") + name;
-      if (id.empty()) id = name;
-    }
+    for (std::size_t i = 0; i < std::min(notes[f].sectors.size(), kNamedSectors); ++i)
+      message += (i == 0 ? ": " : ", ") + subject.city.sectors[notes[f].sectors[i]].id;
+    if (!notes[f].sectors.empty()) id = subject.city.sectors[notes[f].sectors[0]].id;
     findings.add(Rule::partition, id, notes[f].at, message);
   }
   findings.report().area_error_mm2 = static_cast<double>(error) / 2;
