@@ -38,6 +38,16 @@ struct CityReader::Impl {
   InUse select(const char* table, const std::string& tail) { return use(select_sql(table_named(table), tail)); }
 
   template <class Record>
+  std::optional<Record> row_of(const char* table, const std::string& id) {
+    auto row = select(table, "WHERE t.id = ?1");
+    row->bind(0, id);
+    if (!row->step()) return std::nullopt;
+    Record record;
+    read_record(*row, record);
+    return record;
+  }
+
+  template <class Record>
   std::vector<Record> rows_of(const char* table, const std::string& sector_id) {
     auto row = select(table, "WHERE t.sector_id = ?1 ORDER BY t.fid");
     row->bind(0, sector_id);
@@ -127,13 +137,10 @@ std::vector<std::string> CityReader::sector_ids() const {
   return ids;
 }
 
-std::optional<Sector> CityReader::sector(const std::string& id) const {
-  auto row = impl_->select("sector", "WHERE t.id = ?1");
-  row->bind(0, id);
-  if (!row->step()) return std::nullopt;
-  Sector sector;
-  read_record(*row, sector);
-  return sector;
+std::optional<Sector> CityReader::sector(const std::string& id) const { return impl_->row_of<Sector>("sector", id); }
+std::optional<Gate> CityReader::gate(const std::string& id) const { return impl_->row_of<Gate>("gate", id); }
+std::optional<Building> CityReader::building(const std::string& id) const {
+  return impl_->row_of<Building>("building", id);
 }
 
 std::vector<Gate> CityReader::gates_of(const std::string& sector_id) const {

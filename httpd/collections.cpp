@@ -78,15 +78,15 @@ std::optional<std::string> read_query(const Url& url, ItemsQuery& query) {
 }
 
 LatLon origin_of(const CityReader& city) {
-  const auto text = city.meta("origin").value_or("");
-  LatLon origin;
-  const char* const end = text.data() + text.size();
-  const auto lat = std::from_chars(text.data(), end, origin.lat_deg);
-  if (lat.ec == std::errc() && lat.ptr != end && *lat.ptr == ',') {
-    const auto lon = std::from_chars(lat.ptr + 1, end, origin.lon_deg);
-    if (lon.ec == std::errc() && lon.ptr == end) return origin;
-  }
-  throw CityError("meta 'origin' is '" + text + "', expected LAT,LON");
+  const auto degrees = [&](const char* key) {
+    const auto text = city.meta(key).value_or("");
+    double value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || rest != text.data() + text.size())
+      throw CityError(std::string("meta ") + key + " is '" + text + "', expected degrees");
+    return value;
+  };
+  return {degrees("origin_lat"), degrees("origin_lon")};
 }
 
 Json feature_json(const Collection& collection, const GeoFrame& frame, const Feature& feature) {

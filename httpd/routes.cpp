@@ -112,7 +112,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   if (path.starts_with("/client/")) return with_route("client", answer_client(request, *files_, path.substr(8)));
   if (path.starts_with("/x_ite/")) return with_route("x_ite", answer_x_ite(request, *files_, path.substr(7)));
   if (path == "/healthz") {
-    city_.reader().meta("origin");  // throws when the city cannot be read
+    city_.reader().meta("origin_lat");  // throws when the city cannot be read
     return fresh("healthz", "text/plain; charset=utf-8", "ok\n");
   }
   if (path == "/metrics") return fresh("metrics", "text/plain; version=0.0.4; charset=utf-8", metrics_->text());

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "httpd/answers.hpp"
 #include "httpd/media_types.hpp"
 #include "httpd/negotiate.hpp"
 #include "httpd/problem.hpp"
+#include "x3d_export/root_scene.hpp"
 
 namespace vicus {
 namespace {
 
 /// The formats one can ask for without a suffix, first choice first.
 constexpr std::array<const char*, 5> kSuffixes = {".x3d", ".wrl", ".x3dj", ".glb", ".json"};
+
+constexpr int kMaxLevel = 3;  // rings of a static world: more is thousands of sectors in one scene
 
 bool is_id(const std::string& id) {
   return !id.empty() && id.size() <= 200 && std::all_of(id.begin(), id.end(), [](char c) {
@@ -47,11 +52,58 @@ std::string formats_of(const CityReader& city, const std::string& id) {
   return listed.empty() ? " nothing: build the city again" : listed;
 }
 
+constexpr std::array kFormats = {SceneFormat::x3d, SceneFormat::vrml, SceneFormat::x3dj};
+
+/// By the path's suffix, or for "/city" by Accept. Null: there is no such path; nullopt: nothing suits.
+std::optional<const SceneFormat*> format_of(const HttpRequest& request, const std::string& path) {
+  std::vector<std::string> media_types;
+  for (const auto& format : kFormats) {
+    if (path == std::string("/city") + suffix_of(format)) return &format;
+    media_types.emplace_back(media_type_of(format));
+  }
+  if (path != "/city") return nullptr;
+  const auto wanted = preferred_media_type(field_of(request.fields, "Accept"), media_types);
+  for (const auto& format : kFormats)
+    if (wanted == media_type_of(format)) return &format;
+  return std::nullopt;
+}
+
+/// A sentence when a parameter is wrong.
+std::optional<std::string> read_root_query(const Url& url, RootOptions& options) {
+  for (const auto& [name, value] : url.query) {
+    bool repeated = false;
+    parameter_of(url, name, repeated);
+    if (repeated) return "Give the parameter " + name + " only once.";
+    if (name == "start") {
+      if (!is_id(value)) return "start must be a sector id: letters, digits, '-' and '_'.";
+      options.start = value;
+    } else if (name == "static") {
+      if (value != "0" && value != "1") return "static must be 1 (all sectors loaded, no script) or 0.";
+      options.is_static = value == "1";
+    } else if (name == "i") {
+      if (value.size() != 1 || value[0] < '0' || value[0] > '0' + kMaxLevel)
+        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) + ": rings of sectors (with static=1).";
+      options.level = value[0] - '0';
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityReader& city) {
-  if (auto artefact = answer_artefact(request, city, url.path.substr(1))) return *std::move(artefact);
-  return problem(404, "There is no root world " + url.path + ". There are /city.x3d and /city.wrl.");
+  RootOptions options;
+  const auto format = format_of(request, url.path);
+  if (!format) return not_acceptable("model/x3d+xml, model/vrml and model/x3d+json");
+  if (*format == nullptr)
+    return problem(404, "There is no root world " + url.path + ". There are /city.x3d, /city.wrl and /city.x3dj.");
+  options.format = **format;
+  if (const auto wrong = read_root_query(url, options)) return problem(400, *wrong);
+  const auto text = root_text(source_of(city), options);
+  if (!text)
+    return problem(404, "There is no sector " + options.start + " to start in. Ask /collections/sectors/items for those "
+                        "there are.");
+  return answer_made(request, media_type_of(options.format), *text);
 }
 
 HttpResponse answer_sector(const HttpRequest& request, const CityReader& city, const std::string& name) {
