@@ -1,6 +1,7 @@
 #include "x3d_export/sector_scene.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "x3d_export/text.hpp"
 
@@ -69,24 +70,25 @@ void add_content(Scene& scene, const SectorParts& parts, std::vector<Node> conte
 /// The sector in `count` parts, all in the main file when count is 1.
 std::vector<ExportFile> write_parts(const SectorParts& parts, int count) {
   std::vector<Scene> scenes{empty_scene(parts, 0)};
+  std::vector<int> shapes(static_cast<std::size_t>(count == 1 ? 1 : count + 1), 0);
   std::vector<Node> content;
-  int shapes = 0;
   if (count == 1) {
     content = shapes_of(parts, 0, 1);
-    shapes = static_cast<int>(content.size());
+    shapes[0] = static_cast<int>(content.size());
   } else {
     for (int part = 1; part <= count; ++part) {
       Node inline_node("Inline");
       content.push_back(inline_node.set("url", std::vector<std::string>{file_name(parts, part)}));
       scenes.push_back(empty_scene(parts, part));
       scenes.back().nodes = shapes_of(parts, part - 1, count);
-      shapes += static_cast<int>(scenes.back().nodes.size());
+      shapes[static_cast<std::size_t>(part)] = static_cast<int>(scenes.back().nodes.size());
     }
   }
-  add_content(scenes.front(), parts, std::move(content), shapes);
+  add_content(scenes.front(), parts, std::move(content), std::accumulate(shapes.begin(), shapes.end(), 0));
   std::vector<ExportFile> files;
-  for (const auto& scene : scenes)
-    files.push_back({"sectors/" + scene.title, media_type_of(parts.format), write_scene(scene, parts.format)});
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    files.push_back(
+        {"sectors/" + scenes[i].title, media_type_of(parts.format), write_scene(scenes[i], parts.format), shapes[i]});
   return files;
 }
 
