@@ -52,7 +52,10 @@ export class SectorPlanner {
         Object.assign(state, { phase: 'failed', failures: state.failures + 1, retryAt: now + wait });
     }
 
-    /** -> { current, changed, load: at most one id, unload: ids }. `position` may be null: not known yet. */
+    /**
+     * -> { current, changed, load: at most one id, unload: ids, wakeAt }. `position` may be null: not known yet.
+     * Nothing changes before `wakeAt` (s, Infinity: never) unless the visitor moves or a sector arrives or fails.
+     */
     plan(position, now) {
         const before = this.current;
         const point = position && latticePoint(position);
@@ -60,7 +63,16 @@ export class SectorPlanner {
         const wanted = this.wanted(point);
         for (const id of wanted) if (this.states.has(id)) this.states.get(id).wantedAt = now;
         const unload = this.unloads(wanted, now);
-        return { current: this.current, changed: this.current !== before, load: this.nextLoad(wanted, now, unload), unload };
+        const load = this.nextLoad(wanted, now, unload), changed = this.current !== before;
+        return { current: this.current, changed, load, unload, wakeAt: load.length ? now : this.wakeTime(wanted) };
+    }
+
+    wakeTime(wanted) {
+        let earliest = Infinity;
+        for (const [id, state] of this.states)
+            if (!wanted.includes(id)) earliest = Math.min(earliest, state.wantedAt + this.options.keepSeconds);
+            else if (state.phase === 'failed') earliest = Math.min(earliest, state.retryAt);
+        return earliest;
     }
 
     /** Paper 004 §5.2.3: the current sector and its neighbours are tested; everything known only after a jump. */

@@ -5,7 +5,7 @@ const kWalkSpeed = 2.2, kRunSpeed = 7;            // m/s
 const kTurnSpeed = 1.6;                           // rad/s
 const kMostPitch = 1.2;                           // rad
 /** s: a stall longer than this (a sector being parsed) moves the visitor no farther. */
-const kLongestStep = 0.1;
+const kLongestStep = 0.2;
 
 /**
  * Moves the visitor by what the controls say: walls in plan first, bodies in 3D second, walls again, gravity by the

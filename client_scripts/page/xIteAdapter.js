@@ -4,6 +4,9 @@ import { recordFromScene } from '../x3d/recordMetadata.js';
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
+/** Cosine of the angle a walker may turn before a new look ahead: 1.5 degrees, 5 cm aside at its end. */
+const kSameWay = 0.99966;
+
 /**
  * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
  * (getUserPosition, ...), constrainTranslation and the load states are that version's own.
@@ -26,6 +29,7 @@ export class XIteAdapter {
         this.canvas = canvas;
         this.browser = canvas.browser;
         this.records = new WeakMap();   // an Inline's scene -> its record
+        this.corridor = null;           // { free: m, towards: [east, north] } from the last look ahead
     }
 
     /** Fails   Error: the world cannot be fetched or read. */
@@ -73,10 +77,24 @@ export class XIteAdapter {
         view.setUserOrientation(new SFRotation(...axisAngle(heading, pitch)).getValue());
     }
 
-    /** As much of the step as bodies in the way let, sliding: [east, north]. Looks two eye heights ahead at most. */
-    constrainStep([east, north]) {
-        const step = this.browser.constrainTranslation(new this.X3D.SFVec3f(east, 0, -north));
-        return step ? [step.x, -step.z] : [east, north];
+    /**
+     * As much of the step as bodies in the way let, sliding: [east, north]. Looking ahead draws the world into a depth
+     * buffer and waits for it, so one look serves until its free path is used up or the visitor turns.
+     */
+    constrainStep(step) {
+        const length = Math.hypot(...step), towards = [step[0] / length, step[1] / length];
+        const { browser, corridor, X3D } = this;
+        if (corridor && corridor.free > length && towards[0] * corridor.towards[0] + towards[1] * corridor.towards[1] > kSameWay) {
+            corridor.free -= length;
+            return step;
+        }
+        const closest = browser.getClosestObject(new X3D.SFVec3f(towards[0], 0, -towards[1]));
+        const [radius, eyeHeight] = browser.activeNavigationInfo?.avatarSize ?? [0.25, 1.6];
+        const free = Math.min(closest.distance, 2 * eyeHeight) - 2 * radius - length;
+        this.corridor = free > 0 ? { free, towards } : null;
+        if (this.corridor) return step;
+        const constrained = browser.constrainTranslation(new X3D.SFVec3f(step[0], 0, -step[1]));
+        return constrained ? [constrained.x, -constrained.z] : step;
     }
 
     /** Pixels drawn per CSS pixel. */

@@ -125,6 +125,16 @@ test('a sector that cannot be had is asked for after 1, 2, 4, ... 30 s, and come
     assert.ok(visit.stay([20, 5], 31).live.has('s1'));
 });
 
+test('wakeAt is when the next retry or unload is due, now while more is to be asked for, never when all is settled', () => {
+    const visit = new Visit({ broken: new Set(['s2']), options: { keepSeconds: 10 } });
+    assert.equal(visit.frame([20, 5]).wakeAt, visit.now);
+    visit.stay([20, 5], 1);
+    assert.equal(visit.frame([20, 5]).wakeAt, Infinity);
+    visit.walk([20, 5], [50, 5]).stay([50, 5], 0.5);
+    const { wakeAt } = visit.frame([50, 5]);
+    assert.ok(wakeAt > visit.now && wakeAt < visit.now + 2.1, `${wakeAt - visit.now} s`);
+});
+
 test('live Shapes stay under the cap: what was left the longest ago goes first, the farthest is not asked for', () => {
     const records = streetRecords(6).map(record => ({ ...record, shapes: 100,
         neighbours: record.neighbours.map(neighbour => ({ ...neighbour, shapes: 100 })) }));

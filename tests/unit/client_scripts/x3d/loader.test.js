@@ -49,7 +49,7 @@ function rootWorld(start, records) {
 
 const frames = (script, count) => { for (let i = 0; i < count; ++i) script.prepareEvents(); };
 const shown = fields => [fields.inlines[0], ...fields.world.children.map(place => place.children[0])]
-    .filter(inline => inline.load).map(inline => inline.url[0]).sort();
+    .filter(inline => inline?.load).map(inline => inline.url[0]).sort();
 
 test('a MetadataSet gives back the record it was made from', () => {
     for (const record of streetRecords()) {
@@ -72,7 +72,7 @@ test('the bundled Script loads its start, then the neighbours the record tells o
     assert.equal(fields.sector_changed, 's2');
     frames(script, 10);
     assert.deepEqual(shown(fields), ['sectors/s1.x3d', 'sectors/s2.x3d', 'sectors/s3.x3d', 'sectors/yard.x3d']);
-    const yard = fields.world.children.find(place => place.children[0].url[0] === 'sectors/yard.x3d');
+    const yard = fields.world.children.find(place => place.children[0]?.url[0] === 'sectors/yard.x3d');
     assert.deepEqual([yard.translation.x, yard.translation.z], [100, -20]);
 });
 
@@ -83,6 +83,17 @@ test('the bundled Script follows the visitor and says so', () => {
     frames(script, 5);
     assert.equal(fields.sector_changed, 's1');
     assert.ok(shown(fields).includes('sectors/s2.x3d'));
+});
+
+test('a sector left behind sets the alarm for the time it is given back, so that a still scene wakes', () => {
+    const fields = rootWorld('s0', streetRecords()), script = runScript(fields);
+    frames(script, 10);
+    const alarm = fields.world.children.find(node => node.type === 'TimeSensor');
+    const before = Date.now() / 1000;
+    script.set_position({ x: 81, y: 1.7, z: -5 });
+    frames(script, 10);
+    const wait = alarm.startTime - before;
+    assert.ok(wait > 0 && wait < 11, `${wait} s`);
 });
 
 test('a sector that fails, or carries no record, is reported by name and does not stop the others', () => {

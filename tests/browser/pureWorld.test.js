@@ -1,0 +1,64 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { firstLevel } from '../../client_scripts/core/sectorRecord.js';
+import { openBrowser, openTab } from './support/chromium.js';
+import { CityMap, startWithRoute } from './support/cityMap.js';
+import { cities, serveCity } from './support/vicusServer.js';
+
+const kGates = 3;
+
+/** Nothing of ours but the world: X_ITE and an x3d-canvas. */
+const bareWorld = file => `<!DOCTYPE html><script type="module" src="/x_ite/15.0.1/dist/x_ite.min.mjs"></script>
+<x3d-canvas src="${file}" splashScreen="false" notifications="false" style="width: 640px; height: 480px"></x3d-canvas>`;
+
+const [[name, make]] = Object.entries(cities());
+test(`the X3D world of ${name} works without the page`, { timeout: 600000 }, async t => {
+    const server = await serveCity(make), browser = await openBrowser();
+    t.after(async () => {
+        await browser.close();
+        await server.stop();
+    });
+    const map = new CityMap(server.origin), start = await startWithRoute(map, kGates), route = await map.route(start, kGates);
+    const tab = await openTab(browser.context);
+    await tab.page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body: bareWorld(`/city.x3d?start=${start}`) }));
+    await tab.page.goto(`${server.origin}/bare.html`);
+    await assertSector(tab.page, map, start);
+    for (let i = 1; i < route.length; ++i) {
+        await moveTo(tab.page, await map.gateMiddle(route[i - 1], route[i]));
+        await moveTo(tab.page, (await map.wallToRunInto(route[i])).stand);
+        await assertSector(tab.page, map, route[i]);
+    }
+    assert.deepEqual(tab.complaints, []);
+    assert.ok(tab.requests.every(({ path }) => !path.startsWith('/client/page/')), 'the page took part');
+});
+
+/** The LOADER says `id`, and L_1 of it is there. */
+async function assertSector(page, map, id) {
+    const wanted = firstLevel(await map.sector(id));
+    await page.waitForFunction(({ id, wanted }) => {
+        const scene = document.querySelector('x3d-canvas')?.browser?.currentScene;
+        const loader = scene && Array.from(scene.rootNodes).length ? scene.getNamedNode('LOADER') : null;
+        if (loader?.sector_changed !== id) return false;
+        const live = Array.from(scene.getNamedNode('WORLD').children).flatMap(place => Array.from(place.children ?? []))
+            .filter(inline => inline.load && inline.getValue().checkLoadState() === 1008).map(inline => inline.url[0]);
+        return wanted.every(near => live.some(url => url.endsWith(`/${near}.x3d`)));
+    }, { id, wanted }, { timeout: 60000, polling: 100 });
+}
+
+/** Moves the eye in a straight line, 0.5 m a frame, as a navigation paradigm would. */
+async function moveTo(page, [east, north]) {
+    await page.evaluate(async ([east, north]) => {
+        const { browser } = document.querySelector('x3d-canvas');
+        for (let left = 1; left > 0;) {
+            const view = browser.activeViewpoint.getValue(), at = view.getUserPosition().copy();
+            const dx = east - at.x, dz = -north - at.z;
+            left = Math.hypot(dx, dz);
+            const share = Math.min(1, 0.5 / (left || 1));
+            at.x += share * dx;
+            at.z += share * dz;
+            view.setUserPosition(at);
+            left -= 0.5;
+            await new Promise(requestAnimationFrame);
+        }
+    }, [east / 1000, north / 1000]);
+}

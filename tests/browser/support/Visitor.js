@@ -1,0 +1,135 @@
+import assert from 'node:assert/strict';
+import { openTab } from './chromium.js';
+
+/**
+ * A visitor in a tab: goes where told by pressing keys, as a person would; keeps a diary of sectors and loads.
+ * Everything is read through window.vicus (client_scripts/page/main.js).
+ */
+export class Visitor {
+    static async open(context, url) {
+        const tab = await openTab(context);
+        await tab.page.addInitScript(keepDiary);
+        await tab.page.goto(url);
+        return new Visitor(tab);
+    }
+
+    constructor(tab) {
+        Object.assign(this, tab);
+    }
+
+    /** ms from navigation until the sector the visitor is in was there. */
+    async streetTime() {
+        await this.page.waitForFunction(() => window.vicus?.visit.firstStreetAt, null, { timeout: 60000 });
+        return this.page.evaluate(() => window.vicus.visit.firstStreetAt);
+    }
+
+    /** { current, pose, live, asked, failed } now. */
+    now() {
+        return this.page.evaluate(() => {
+            const { view, visit } = window.vicus, sectors = view.sectors();
+            const of = (...phases) => sectors.filter(sector => phases.includes(sector.phase)).map(sector => sector.id).sort();
+            return { current: visit.current, pose: view.pose(), live: of('live'), asked: of('live', 'loading'), failed: of('failed') };
+        });
+    }
+
+    async settle(seconds = 30) {
+        await this.page.waitForFunction(() => {
+            const sectors = window.vicus.view.sectors();
+            const quiet = window.vicus.view.isIdle() && sectors.every(sector => sector.phase !== 'loading');
+            window.quietSince = quiet ? window.quietSince || performance.now() : 0;
+            return quiet && performance.now() - window.quietSince > 400;
+        }, null, { timeout: 1000 * seconds });
+    }
+
+    /** Walks (or runs) along plan points in millimetres. Fails when it takes longer than a slow machine explains. */
+    async walk(points, { run = true, within = 1.2, seconds = 240 } = {}) {
+        const metres = points.map(([east, north]) => [east / 1000, north / 1000]);
+        const result = await this.page.evaluate(pressKeys, { metres, run, within, seconds });
+        assert.equal(result.reached, metres.length, `stuck at ${JSON.stringify(result)} on the way ${JSON.stringify(metres)}`);
+    }
+
+    /** Turns to face a plan point. */
+    async face([east, north]) {
+        await this.page.evaluate(pressKeys, { metres: [[east / 1000, north / 1000]], within: 0, seconds: 30, turnOnly: true });
+    }
+
+    async hold(key, milliseconds) {
+        await this.page.keyboard.down(key);
+        await this.page.waitForTimeout(milliseconds);
+        await this.page.keyboard.up(key);
+    }
+
+    /** [{ at: ms, current }] and id -> how often its content was given back. */
+    diary() {
+        return this.page.evaluate(() => window.diary);
+    }
+
+    /** Shape nodes that are there, counted in the scenes themselves. */
+    shapes() {
+        return this.page.evaluate(countShapes);
+    }
+
+    fetches(pattern) {
+        const counts = new Map();
+        for (const { path } of this.requests) if (pattern.test(path)) counts.set(path, (counts.get(path) ?? 0) + 1);
+        return counts;
+    }
+}
+
+/* What follows runs in the page. */
+
+function keepDiary() {
+    window.diary = { sectors: [], unloads: {} };
+    let before = [];
+    const look = () => {
+        requestAnimationFrame(look);
+        if (!window.vicus) return;
+        const { visit } = window.vicus;
+        if (visit.current && window.diary.sectors.at(-1)?.current !== visit.current)
+            window.diary.sectors.push({ at: performance.now(), current: visit.current });
+        const asked = visit.sectors.filter(sector => sector.phase !== 'absent').map(sector => sector.id);
+        for (const id of before) if (!asked.includes(id)) window.diary.unloads[id] = (window.diary.unloads[id] ?? 0) + 1;
+        before = asked;
+    };
+    look();
+}
+
+async function pressKeys({ metres, run, within, seconds, turnOnly }) {
+    const held = new Set();
+    const press = (code, down) => {
+        if (down === held.has(code)) return;
+        if (down) held.add(code);
+        else held.delete(code);
+        dispatchEvent(new KeyboardEvent(down ? 'keydown' : 'keyup', { code, shiftKey: Boolean(run), bubbles: true }));
+    };
+    const { view } = window.vicus, deadline = performance.now() + 1000 * seconds;
+    let reached = 0, pose = view.pose();
+    while (reached < metres.length && performance.now() < deadline) {
+        pose = view.pose();
+        const east = metres[reached][0] - pose.east, north = metres[reached][1] - pose.north;
+        const error = Math.atan2(east, north) - pose.heading, turn = Math.atan2(Math.sin(error), Math.cos(error));
+        if (turnOnly ? Math.abs(turn) < 0.12 : Math.hypot(east, north) < within) {
+            ++reached;
+            continue;
+        }
+        press('KeyQ', turn < -0.1);
+        press('KeyE', turn > 0.1);
+        press('KeyW', !turnOnly && Math.abs(turn) < 0.4);
+        await new Promise(requestAnimationFrame);
+    }
+    for (const code of ['KeyQ', 'KeyE', 'KeyW']) press(code, false);
+    return { reached, pose };
+}
+
+function countShapes() {
+    const { browser } = window.vicus.view;
+    let count = 0;
+    const visit = node => {
+        const type = node?.getNodeTypeName();
+        if (type === 'Shape') ++count;
+        const inner = type === 'Inline' && node.load ? node.getValue().getInternalScene()?.rootNodes : node?.children;
+        for (const child of Array.from(inner ?? [])) visit(child);
+    };
+    for (const node of Array.from(browser.currentScene.rootNodes)) visit(node);
+    return count;
+}

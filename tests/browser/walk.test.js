@@ -1,0 +1,149 @@
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { firstLevel } from '../../client_scripts/core/sectorRecord.js';
+import { GroundWalls } from '../../client_scripts/core/GroundWalls.js';
+import { distance, nearestOnSegment } from '../../client_scripts/core/planGeometry.js';
+import { openBrowser } from './support/chromium.js';
+import { CityMap, startWithRoute } from './support/cityMap.js';
+import { cities, serveCity } from './support/vicusServer.js';
+import { Visitor } from './support/Visitor.js';
+
+const kGates = 4;
+const kKeepSeconds = 10;
+const kLagSeconds = 6;                // a slow machine's frames between leaving and giving back
+const kShapeCap = 1500;
+const kFirstSectorBytes = 150000;
+const kStreetSeconds = 2.5, kTries = 5;
+const kShots = process.env.VICUS_SHOTS ?? 'out';
+
+for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, { timeout: 1200000 }, async t => {
+    mkdirSync(kShots, { recursive: true });
+    const server = await serveCity(make), browser = await openBrowser();
+    t.after(async () => {
+        await browser.close();
+        await server.stop();
+    });
+    const map = new CityMap(server.origin);
+    const start = await startWithRoute(map, kGates);
+    const route = await map.route(start, kGates);
+    const visitor = await Visitor.open(browser.context, `${server.origin}/?start=${start}`);
+    const shoot = label => visitor.page.screenshot({ path: join(kShots, `${name}-${label}.png`) });
+
+    await t.test('starts in the given sector, complete within the byte budget', async () => {
+        await visitor.streetTime();
+        assert.equal((await visitor.now()).current, start);
+        await visitor.settle();
+        const sent = bytesBeside(visitor, [`/sectors/${start}.x3d`, `/sectors/${start}.1.x3d`, '/city.x3d', '/']);
+        t.diagnostic(`${start}: ${sent} bytes without X_ITE and the neighbours`);
+        assert.ok(sent <= kFirstSectorBytes, `${sent} bytes`);
+        await shoot('start');
+    });
+
+    await t.test(`walks through ${kGates} gates and back, with L_1 around at each`, async () => {
+        const there = [...route], back = [...route].reverse();
+        for (const chain of [there, back])
+            for (let i = 1; i < chain.length; ++i) {
+                await walkThroughGate(visitor, map, chain, i);
+                await assertSurroundings(visitor, map, chain[i]);
+                if (chain === there) await shoot(`gate-${i}`);
+            }
+        const visited = (await visitor.diary()).sectors.map(entry => entry.current);
+        t.diagnostic(`walked ${visited.join(' > ')}`);
+        await shoot('back');
+    });
+
+    await t.test('walls stop the visitor', async () => {
+        const { stand, wall } = await map.wallToRunInto(start);
+        const { pose } = await visitor.now();
+        const path = await map.path(start, [pose.east * 1000, pose.north * 1000], stand);
+        await visitor.walk(path ?? [stand], { within: 0.5, run: false });
+        await visitor.face([(wall[0][0] + wall[1][0]) / 2, (wall[0][1] + wall[1][1]) / 2]);
+        await visitor.hold('KeyW', 3000);
+        const end = (await visitor.now()).pose, point = [end.east * 1000, end.north * 1000];
+        const sector = await map.sector(start);
+        assert.ok(new GroundWalls([sector]).isOnGround(point), `off the ground at ${point}`);
+        const gap = distance(nearestOnSegment(wall[0], wall[1], point), point) / 1000;
+        assert.ok(gap >= 0.2 && gap < 1.5, `${gap} m from the wall`);
+        assert.ok(end.up > 1 && end.up < 2.5, `eye at ${end.up} m`);
+        await shoot('wall');
+    });
+
+    await t.test('after a while only L_1 is left', async () => {
+        await visitor.page.waitForTimeout(1000 * (kKeepSeconds + 2));
+        await visitor.settle();
+        const { current, asked } = await visitor.now();
+        assert.deepEqual(asked, firstLevel(await map.sector(current)).sort());
+    });
+
+    await t.test('nothing is fetched twice but what was given back; Shapes stay under the cap', async () => {
+        const { unloads } = await visitor.diary();
+        for (const [path, count] of visitor.fetches(/^\/sectors\/[^.]+\.x3d$/)) {
+            const id = path.slice('/sectors/'.length, -'.x3d'.length);
+            assert.ok(count <= 1 + (unloads[id] ?? 0), `${path} fetched ${count} times, given back ${unloads[id] ?? 0} times`);
+        }
+        for (const [path, count] of visitor.fetches(/^\/(client|x_ite|city)/)) assert.equal(count, 1, `${path} fetched ${count} times`);
+        const shapes = await visitor.shapes();
+        t.diagnostic(`${shapes} Shapes`);
+        assert.ok(shapes > 0 && shapes < kShapeCap, `${shapes} Shapes`);
+    });
+
+    await t.test('the console stays silent', () => assert.deepEqual(visitor.complaints, []));
+
+    await t.test(`a warm browser is in the street within ${kStreetSeconds} s`, async () => {
+        const times = [];
+        for (let i = 0; i < kTries && !(Math.min(...times) < 1000 * kStreetSeconds); ++i) {
+            const next = await Visitor.open(browser.context, `${server.origin}/?start=${start}`);
+            times.push(await next.streetTime());
+            await next.page.close();
+        }
+        t.diagnostic(`${times.map(Math.round).join(', ')} ms`);
+        assert.ok(Math.min(...times) < 1000 * kStreetSeconds, `${times.map(Math.round)} ms`);
+    });
+});
+
+function bytesBeside(visitor, paths) {
+    let sum = 0;
+    for (const [path, bytes] of visitor.bytes) if (paths.includes(path) || path.startsWith('/client/')) sum += bytes;
+    return sum;
+}
+
+/** From where the visitor is in chain[i - 1] through the gate into chain[i], 2 m beyond it. */
+async function walkThroughGate(visitor, map, chain, i) {
+    const { pose } = await visitor.now(), from = [pose.east * 1000, pose.north * 1000];
+    const gate = await map.gateMiddle(chain[i - 1], chain[i]);
+    const onward = await map.path(chain[i], gate, await innerPoint(map, chain, i));
+    const leg = await map.path(chain[i - 1], from, gate);
+    assert.ok(leg && onward, `no way from ${chain[i - 1]} to ${chain[i]}`);
+    await visitor.walk([...leg, pointAlong(gate, onward[0], 2000)]);
+    await visitor.page.waitForFunction(id => window.vicus.visit.current === id, chain[i], { timeout: 20000 });
+}
+
+/** Where the visitor goes next in chain[i]: its far gate, or at the end of the chain the middle of the gate's room. */
+async function innerPoint(map, chain, i) {
+    if (i + 1 < chain.length) return map.gateMiddle(chain[i], chain[i + 1]);
+    return (await map.wallToRunInto(chain[i])).stand;
+}
+
+function pointAlong(from, to, length) {
+    const whole = distance(from, to);
+    return whole <= length ? to : [0, 1].map(k => from[k] + (to[k] - from[k]) * length / whole);
+}
+
+/** L_1 is there; what else is there belonged to a sector left no longer ago than the hysteresis allows. */
+async function assertSurroundings(visitor, map, current) {
+    await visitor.settle();
+    const { live, failed } = await visitor.now();
+    const wanted = firstLevel(await map.sector(current));
+    for (const id of wanted) assert.ok(live.includes(id), `${id} of L_1(${current}) is not there: ${live}`);
+    assert.deepEqual(failed, []);
+    const { sectors } = await visitor.diary();
+    const now = await visitor.page.evaluate(() => performance.now());
+    const allowed = new Set(wanted);
+    for (const [i, { current: id }] of sectors.entries()) {
+        const leftAt = sectors[i + 1]?.at ?? now;
+        if (now - leftAt < 1000 * (kKeepSeconds + kLagSeconds)) for (const near of firstLevel(await map.sector(id))) allowed.add(near);
+    }
+    for (const id of live) assert.ok(allowed.has(id), `${id} is there in ${current}, though left long ago`);
+}
