@@ -114,7 +114,7 @@ LayerFacts geojson_lines_facts(const fs::path& path) {
 
 void read_geojson_lines(const LayerChoice& choice, RawMap& map) {
   LineReader lines(choice.layer.file);
-  FeatureAdder adder(choice, map);
+  FeatureAdder adder(choice, map, {});
   std::string_view line;
   for (long long number = 0; lines.next(line);) {
     if (line.empty()) continue;
@@ -149,10 +149,7 @@ void read_geojson_lines(const LayerChoice& choice, RawMap& map) {
     }
   }
   adder.finish();
-  // Vector tiles of this schema are made from OpenStreetMap.
-  map.licences.push_back(adder.has_tile_attributes() ? kOsmLicence
-                                                     : "Source: " + choice.layer.file.filename().string() +
-                                                           " (licence not stated in the file)");
+  map.licences.push_back(adder.is_from_osm() ? kOsmLicence : unstated_licence(choice.layer.file));
 }
 
 }  // namespace vicus

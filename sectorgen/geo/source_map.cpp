@@ -5,6 +5,7 @@
 #include "sectorgen/geo/heights.hpp"
 #include "sectorgen/geo/layer_choice.hpp"
 #include "sectorgen/geo/place_features.hpp"
+#include "sectorgen/geo/read_gdal.hpp"
 #include "sectorgen/geo/read_geojson_lines.hpp"
 #include "sectorgen/geo/read_osm.hpp"
 
@@ -23,27 +24,85 @@ void require_file(const fs::path& path) {
     throw CityError(path.string() + ": is empty", 4);
 }
 
+std::vector<std::string> without_repeats(const std::vector<std::string>& lines) {
+  std::vector<std::string> kept;
+  for (const std::string& line : lines)
+    if (std::find(kept.begin(), kept.end(), line) == kept.end()) kept.push_back(line);
+  return kept;
+}
+
+std::optional<LayerName> parsed(const std::optional<std::string>& text) {
+  return text ? std::optional(LayerName::parse(*text)) : std::nullopt;
+}
+
+/// `--buildings` and `--streets` may name files that are no input otherwise.
+std::vector<fs::path> all_inputs(const LoadOptions& options) {
+  std::vector<fs::path> inputs = options.inputs;
+  for (const auto& named : {parsed(options.buildings_layer), parsed(options.streets_layer)}) {
+    if (!named) continue;
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+      return named->names({input, named->layer, true, true, {}});
+    });
+    if (!is_input) inputs.push_back(named->file);
+  }
+  return inputs;
+}
+
+/// Takes out the houses or streets that another layer was named for.
+void drop_unwanted(const LoadOptions& options, const fs::path& input, std::size_t first, RawMap& raw) {
+  const auto is_elsewhere = [&](const std::optional<std::string>& text) {
+    const auto named = parsed(text);
+    return named && !named->names({input, "", true, true, {}});
+  };
+  const bool without_houses = is_elsewhere(options.buildings_layer),
+             without_streets = is_elsewhere(options.streets_layer);
+  const auto is_unwanted = [&](const RawFeature& feature) {
+    const bool is_house = feature.theme == Theme::building || feature.theme == Theme::part;
+    return (without_houses && is_house) || (without_streets && feature.theme == Theme::street);
+  };
+  raw.features.erase(
+      std::remove_if(raw.features.begin() + static_cast<std::ptrdiff_t>(first), raw.features.end(), is_unwanted),
+      raw.features.end());
+}
+
+RawMap read_inputs(const LoadOptions& options) {
+  RawMap raw;
+  std::vector<LayerFacts> layers;
+  for (const fs::path& input : all_inputs(options)) {
+    require_file(input);
+    if (is_osm_file(input)) {
+      const std::size_t first = raw.features.size();
+      read_osm(input, raw);
+      drop_unwanted(options, input, first, raw);
+    } else if (is_geojson_lines_file(input)) {
+      layers.push_back(geojson_lines_facts(input));
+    } else {
+      for (LayerFacts& facts : gdal_facts(input)) layers.push_back(std::move(facts));
+    }
+  }
+  const auto buildings = parsed(options.buildings_layer), streets = parsed(options.streets_layer);
+  for (const auto& named : {buildings, streets})
+    if (named && !named->layer.empty() &&
+        std::none_of(layers.begin(), layers.end(), [&](const LayerFacts& facts) { return named->names(facts); }))
+      throw CityError(named->file.string() + ": no layer " + named->layer, 2);
+  for (const LayerChoice& choice : choose_layers(layers, buildings, streets)) {
+    if (choice.use == LayerUse::ignored) continue;
+    is_geojson_lines_file(choice.layer.file) ? read_geojson_lines(choice, raw) : read_gdal(choice, raw);
+  }
+  return raw;
+}
+
 }  // namespace
 
 SourceMap load_source_map(const LoadOptions& options, std::vector<Issue>& issues) {
-  RawMap raw;
-  std::vector<LayerFacts> layers;
-  for (const fs::path& input : options.inputs) {
-    require_file(input);
-    if (is_osm_file(input)) {
-      read_osm(input, raw);
-    } else if (is_geojson_lines_file(input)) {
-      layers.push_back(geojson_lines_facts(input));
-    }
+  RawMap raw = read_inputs(options);
+  if (options.boundary) {
+    require_file(*options.boundary);
+    read_gdal_boundary(*options.boundary, raw);
   }
-  const auto parse = [](const std::optional<std::string>& text) {
-    return text ? std::optional(LayerName::parse(*text)) : std::nullopt;
-  };
-  for (const LayerChoice& choice : choose_layers(layers, parse(options.buildings_layer), parse(options.streets_layer)))
-    read_geojson_lines(choice, raw);
   SourceMap map;
-  map.origin = options.origin.value_or(default_origin(raw));
-  map.licences = raw.licences;
+  map.origin = options.origin ? *options.origin : default_origin(raw);
+  map.licences = without_repeats(raw.licences);
   std::vector<bool> is_cut;
   place_features(std::move(raw), PlanFrame(map.origin), map, is_cut, issues);
   set_heights(map.footprints, is_cut, issues);
