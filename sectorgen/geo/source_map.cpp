@@ -4,6 +4,7 @@
 
 #include "sectorgen/geo/heights.hpp"
 #include "sectorgen/geo/layer_choice.hpp"
+#include "sectorgen/geo/neighbours.hpp"
 #include "sectorgen/geo/place_features.hpp"
 #include "sectorgen/geo/read_gdal.hpp"
 #include "sectorgen/geo/read_geojson_lines.hpp"
@@ -105,7 +106,12 @@ SourceMap load_source_map(const LoadOptions& options, std::vector<Issue>& issues
   map.licences = without_repeats(raw.licences);
   std::vector<bool> is_cut;
   place_features(std::move(raw), PlanFrame(map.origin), map, is_cut, issues);
+  drop_duplicates(map.footprints, is_cut, issues);
   set_heights(map.footprints, is_cut, issues);
+  adopt_lost_parts(map.footprints, issues);
+  close_gaps(map.footprints, issues);
+  find_overlaps(map.footprints, issues);
+  find_blocked_streets(map.footprints, map.axes, issues);
   return map;
 }
 
