@@ -1,0 +1,107 @@
+#include "sectorgen/town/town.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "sectorgen/town/site.hpp"
+
+namespace vicus {
+
+namespace town {
+namespace {
+
+/// Blocks from the middle outwards, so that a town that runs out of houses ends at its rim.
+std::vector<std::size_t> faces_from_middle(const Network& n, Vec origin) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t f = 0; f < n.faces.size(); ++f) {
+    const double rank = distance(centroid_of(n.ring_of(f)), origin);
+    order.emplace_back(n.faces[f].use == Use::open ? rank + (n.faces[f].zone == Zone::rim ? 1e6 : 0) : -1, f);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> faces;
+  for (const auto& [rank, face] : order) faces.push_back(face);
+  return faces;
+}
+
+void build_face(Site& site, std::size_t face) {
+  Face& f = site.network.faces[face];
+  const bool is_row = f.use == Use::open && f.zone == Zone::core && !site.features.detached;
+  switch (f.use) {
+    case Use::market:
+      return build_market(site, face);
+    case Use::second_square:
+      return build_second_square(site, face);
+    case Use::park:
+      return build_park(site, face);
+    case Use::palace:
+      return build_palace(site, face);
+    default:
+      break;
+  }
+  if (site.houses_left <= 0) return;
+  f.use = is_row ? Use::rows : Use::detached;
+  const double jitter = site.features.collinear_fronts ? 0 : 0.9;
+  if (is_row && build_rows(site, facade_sides(site.network, face, {jitter, 9}, site.rng.next()), face)) return;
+  if (is_row && build_narrow_block(site, face)) return;
+  build_detached(site, face);
+}
+
+void keep_streets(Network& n) {
+  for (Edge& e : n.edges) {
+    const StreetKind kind = n.lines[e.line].kind;
+    const auto is_used = [&](std::size_t f) { return f != Edge::kNoFace && n.faces[f].use != Use::open; };
+    if (kind == StreetKind::border) continue;
+    const bool is_trunk = kind != StreetKind::lane && kind != StreetKind::street;
+    if (is_trunk || is_used(e.left) || is_used(e.right)) e.is_kept = true;
+  }
+}
+
+/// One town around site.origin. Returns its extent east.
+void build_site(Site& site) {
+  lay_out(site);
+  if (site.is_whole_town) build_river(site);
+  for (const std::size_t face : faces_from_middle(site.network, site.origin)) build_face(site, face);
+  keep_streets(site.network);
+  if (site.is_whole_town) build_wall(site);
+  draw_streets(site);
+}
+
+}  // namespace
+}  // namespace town
+
+namespace {
+
+/// The town on ground of the given scale; nothing when the ground bears fewer houses than asked for.
+std::optional<Town> try_town(const TownOptions& options, double scale) {
+  town::Rng rng(options.seed);
+  double lat = options.lat_deg, lon = options.lon_deg;
+  if (options.features.arctic) lat = 85;
+  if (options.features.antimeridian) lon = 180;
+  town::OsmMap map(lat, lon);
+  town::Names names;
+  Town result;
+  town::Site site{map, names, result.counts, options.features, rng.fork(), {}, 0, 1, false, {}, 0};
+  site.houses_left = options.houses;
+  site.scale = scale;
+  town::build_site(site);
+  if (site.houses_left > 0) return std::nullopt;
+  result.counts.nodes = map.node_count();
+  result.counts.ways = map.way_count();
+  result.counts.relations = map.relation_count();
+  result.osm = map.xml();
+  return result;
+}
+
+}  // namespace
+
+Town make_town(const TownOptions& options) {
+  assert(options.houses >= kMinHouses && options.houses <= kMaxHouses);
+  double scale = options.features.detached ? 1.7 : 1;
+  for (;; scale *= 1.12)
+    if (auto town = try_town(options, scale)) return std::move(*town);
+}
+
+std::string make_town_osm(const TownOptions& options) { return make_town(options).osm; }
+
+}  // namespace vicus
