@@ -1,6 +1,7 @@
 #include "x3d_export/city_index.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace vicus {
 namespace {
@@ -36,6 +37,26 @@ PlanBox box_of(const Polygon& polygon) {
   PlanBox box;
   for (const auto& p : polygon.outer) box.add(p);
   return box;
+}
+
+PlanPoint point_inside(const Sector& sector) {
+  assert(!sector.ground.outer.empty());
+  std::vector<PlanPoint> points = sector.ground.outer;
+  for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
+  const auto mean = [](std::int64_t p, std::int64_t q, std::int64_t r) {
+    return static_cast<std::int32_t>((p + q + r) / 3);
+  };
+  PlanPoint best = points.front();
+  std::int64_t largest = 0;
+  const auto& t = sector.ground_triangles;
+  for (std::size_t i = 0; i + 2 < t.size(); i += 3) {
+    const PlanPoint a = points.at(t[i]), b = points.at(t[i + 1]), c = points.at(t[i + 2]);
+    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, area2 = ux * vy - uy * vx;
+    if (area2 <= largest) continue;
+    largest = area2;
+    best = {mean(a.x, b.x, c.x), mean(a.y, b.y, c.y)};
+  }
+  return best;
 }
 
 CityIndex::CityIndex(const City& city) : city_(&city) {

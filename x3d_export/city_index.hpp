@@ -13,6 +13,10 @@ namespace vicus {
 
 PlanBox box_of(const Polygon& polygon);
 
+/// Somewhere on the ground, away from its edge where it can be: the middle of the largest triangle.
+/// Needs   a ground with points (assert).
+PlanPoint point_inside(const Sector& sector);
+
 /// Where records come from: a City in memory, or a reader of a city file (the server). Lists in id order.
 struct RecordSource {
   std::function<std::optional<Sector>(const std::string& id)> sector;

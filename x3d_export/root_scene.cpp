@@ -30,8 +30,12 @@ Ids behind_gates(const RecordSource& source, const std::string& id) {
   return ids;
 }
 
-/// L_i of paper 004 §5.1: the start, then i times the L_vis of all that are in.
+/// L_i of paper 004 §5.1: the start, then i times the L_vis and gate neighbours of all that are in.
 Ids sectors_within(const RecordSource& source, const std::string& start, int level) {
+  if (level == kEverySector) {
+    const auto ids = source.sector_ids();
+    return {ids.begin(), ids.end()};
+  }
   Ids all{start}, latest{start};
   for (int i = 0; i < level && !latest.empty(); ++i) {
     Ids found;
@@ -88,31 +92,13 @@ Node place_node(const RecordSource& source, const RootOptions& options, const Se
   return place.add(std::move(inline_node));
 }
 
-/// Somewhere on the ground, for a sector without viewpoints: the middle of its largest triangle.
-Viewpoint some_viewpoint(const Sector& sector) {
-  std::vector<PlanPoint> points = sector.ground.outer;
-  for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
-  Viewpoint v;
-  v.at = points.front();
-  std::int64_t largest = 0;
-  for (std::size_t i = 0; i + 2 < sector.ground_triangles.size(); i += 3) {
-    const auto& t = sector.ground_triangles;
-    const PlanPoint a = points.at(t[i]), b = points.at(t[i + 1]), c = points.at(t[i + 2]);
-    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, area2 = ux * vy - uy * vx;
-    if (area2 <= largest) continue;
-    largest = area2;
-    const auto mean = [](std::int64_t p, std::int64_t q, std::int64_t r) {
-      return static_cast<std::int32_t>((p + q + r) / 3);
-    };
-    v.at = {mean(a.x, b.x, c.x), mean(a.y, b.y, c.y)};
-  }
-  return v;
-}
-
 std::vector<Node> viewpoint_nodes(const RecordSource& source, const Sector& start) {
   auto viewpoints = source.viewpoints_of(start.id);
   std::stable_partition(viewpoints.begin(), viewpoints.end(), [](const Viewpoint& v) { return v.kind == "start"; });
-  if (viewpoints.empty()) viewpoints.push_back(some_viewpoint(start));
+  if (viewpoints.empty()) {
+    viewpoints.emplace_back();
+    viewpoints.back().at = point_inside(start);
+  }
   const std::string place = start.name.empty() ? name_of(start.kind) : start.name;
   std::vector<Node> nodes;
   for (const auto& v : viewpoints) nodes.push_back(viewpoint_node(v, kRootOrigin, place));

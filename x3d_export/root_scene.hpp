@@ -8,11 +8,13 @@
 /// The root world: the file that a visitor opens (DESIGN §10, client_scripts/README.md).
 namespace vicus {
 
+inline constexpr int kEverySector = -1;
+
 struct RootOptions {
   std::string start;  ///< sector id; empty: start_sector()
   SceneFormat format = SceneFormat::x3d;
   bool is_static = false;  ///< no Script: `level` rings of sectors, all loaded
-  int level = 1;           ///< static only: i of L_i (paper 004 §5.1)
+  int level = 1;           ///< static only: i of L_i (paper 004 §5.1), or kEverySector
   std::string base = "sectors/";
   std::string loader_url = "client/loader.js";
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 #include "x3d_export/text.hpp"
 
@@ -102,7 +103,9 @@ std::size_t largest(const std::vector<ExportFile>& files, std::size_t first) {
 
 std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& source) {
   std::vector<std::pair<std::string, std::string>> metas;
-  if (const auto licences = source.meta("licences"); !licences.empty()) metas.emplace_back("rights", licences);
+  std::istringstream licences(source.meta("licences"));
+  for (std::string line; std::getline(licences, line);)
+    if (!line.empty()) metas.emplace_back("rights", line);
   return metas;
 }
 

@@ -27,7 +27,7 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
 /// A Viewpoint node in the frame of `origin`.
 Node viewpoint_node(const Viewpoint& viewpoint, PlanPoint origin, const std::string& place);
 
-/// Licence and source lines of the city as meta tags.
+/// Licences of the city as meta tags, one each (meta "licences" has one to a line).
 std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& source);
 
 }  // namespace vicus

@@ -1,0 +1,196 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "city_db/store.hpp"
+#include "cli/command.hpp"
+#include "httpd/static_files.hpp"
+#include "x3d_export/root_scene.hpp"
+#include "x3d_export/sector_scene.hpp"
+#include "x3d_export/svg_map.hpp"
+
+namespace vicus::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  fs::path city, out, x_ite;
+  std::string format, start;
+  bool has_labels = false;
+  std::vector<double> box_m;  ///< west, south, east, north
+};
+
+struct Written {
+  std::size_t files = 0, bytes = 0;
+};
+
+const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site"};
+
+void write_file(const fs::path& path, std::string_view bytes, Written& written) {
+  fs::create_directories(path.parent_path().empty() ? "." : path.parent_path());
+  std::ofstream out(path, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) throw CityError("cannot write " + path.string() + ": is the disk full, or the folder not ours to write?");
+  ++written.files;
+  written.bytes += bytes.size();
+}
+
+/// Sector ids become file names; a city file from elsewhere may hold anything.
+void require_plain_ids(const City& city) {
+  for (const auto& s : city.sectors)
+    if (s.id.empty() ||
+        !std::all_of(s.id.begin(), s.id.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
+      throw CityError("sector id '" + s.id + "' cannot be a file's name: expected letters, digits, '-' and '_'");
+}
+
+void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat format, bool is_site, Written& written) {
+  for (const auto& sector : index.city().sectors) {
+    int shapes = 0;
+    for (const auto& file : sector_files(index, sector, Detail::near, format)) {
+      write_file(folder / file.path, file.text, written);
+      shapes += file.shapes;
+    }
+    if (!is_site || format != SceneFormat::x3d) continue;
+    for (const auto& file : sector_files(index, sector, Detail::far, format))
+      write_file(folder / file.path, file.text, written);
+    write_file(folder / "sectors" / (sector.id + ".json"), record_json(sector_record(source_of(index), sector, shapes)),
+               written);
+  }
+}
+
+void write_root(const CityIndex& index, const Arguments& arguments, const fs::path& folder, SceneFormat format,
+                bool is_static, Written& written) {
+  RootOptions options;
+  options.start = arguments.start;
+  options.format = format;
+  options.is_static = is_static;
+  options.level = kEverySector;
+  const auto text = root_text(source_of(index), options);
+  if (!text) throw CityError("there is no sector " + arguments.start + " to start in", kWrongUsage);
+  write_file(folder / (std::string("city") + suffix_of(format)), *text, written);
+}
+
+/// Everything a plain web server needs to show the city at its root: page, X_ITE, root worlds, sectors, records.
+void write_site(const CityIndex& index, const Arguments& arguments, const fs::path& folder, Written& written) {
+  for (const auto format : {SceneFormat::x3d, SceneFormat::vrml}) {
+    write_root(index, arguments, folder, format, false, written);
+    write_sectors(index, folder, format, true, written);
+  }
+  for (const auto& file : embedded_client_files()) {
+    write_file(folder / "client" / file.path, file.bytes, written);
+    if (file.path == "page/index.html") write_file(folder / "index.html", file.bytes, written);
+  }
+  std::error_code ignored;
+  const auto package = find_x_ite(arguments.x_ite, fs::read_symlink("/proc/self/exe", ignored));
+  if (package.empty())
+    throw CityError(
+        "X_ITE was not found: a site shows nothing without it. Run `npm install x_ite`, then give --x_ite "
+        "node_modules/x_ite");
+  const fs::path dist = folder / "x_ite" / StaticFiles(package).x_ite_version() / "dist";
+  fs::create_directories(dist);
+  fs::copy(package / "dist", dist, fs::copy_options::recursive);
+}
+
+/// A folder that appears whole: made beside its place, then renamed. An older export there is replaced, nothing else.
+Written write_folder(const CityIndex& index, const Arguments& arguments) {
+  require_plain_ids(index.city());
+  const fs::path out = fs::absolute(arguments.out).lexically_normal();
+  const bool is_export = fs::exists(out / "sectors");
+  if (fs::exists(out) && !is_export && !(fs::is_directory(out) && fs::is_empty(out)))
+    throw CityError(out.string() + " is there and is no export of a city: give another folder", kWrongUsage);
+  const fs::path fresh = out.string() + ".partial-" + std::to_string(getpid());
+  const fs::path old = out.string() + ".old-" + std::to_string(getpid());
+  Written written;
+  try {
+    if (arguments.format == "site") {
+      write_site(index, arguments, fresh, written);
+    } else {
+      const auto format = arguments.format == "x3d"    ? SceneFormat::x3d
+                          : arguments.format == "vrml" ? SceneFormat::vrml
+                                                       : SceneFormat::x3dj;
+      write_root(index, arguments, fresh, format, true, written);
+      write_sectors(index, fresh, format, false, written);
+    }
+    const bool is_replaced = fs::exists(out);
+    if (is_replaced) fs::rename(out, old);
+    std::error_code refused;
+    fs::rename(fresh, out, refused);
+    if (refused && is_replaced) fs::rename(old, out);
+    if (refused) throw CityError("cannot rename " + fresh.string() + " to " + out.string() + ": " + refused.message());
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(fresh, ignored);
+    throw;
+  }
+  fs::remove_all(old);
+  return written;
+}
+
+Written write_map(const City& city, const Arguments& arguments) {
+  SvgOptions options;
+  options.has_labels = arguments.has_labels;
+  if (const auto& b = arguments.box_m; !b.empty()) {
+    options.box = PlanBox{{lattice_mm(b[0]), lattice_mm(b[1])}, {lattice_mm(b[2]), lattice_mm(b[3])}};
+    if (b[0] >= b[2] || b[1] >= b[3])
+      throw CityError("--bbox is empty: expected WEST,SOUTH,EAST,NORTH in metres from the city's origin", kWrongUsage);
+  }
+  Written written;
+  const fs::path fresh = arguments.out.string() + ".partial-" + std::to_string(getpid());
+  write_file(fresh, svg_map(city, options), written);
+  fs::rename(fresh, arguments.out);
+  return written;
+}
+
+void export_city(Arguments arguments, Context& context) {
+  const City city = read_city(arguments.city);
+  if (arguments.out.empty())
+    arguments.out = arguments.city.stem().string() + (arguments.format == "svg" ? ".svg" : "-" + arguments.format);
+  Written written;
+  try {
+    if (arguments.format == "svg") {
+      written = write_map(city, arguments);
+    } else {
+      if (city.sectors.empty()) throw CityError("the city has no sectors: there is nothing to walk in", kNothingUsable);
+      written = write_folder(CityIndex(city), arguments);
+    }
+  } catch (const fs::filesystem_error& e) {
+    throw CityError(std::string("cannot write the export: ") + e.what());
+  }
+  print_result(context,
+               arguments.out.string() + ": " + std::to_string(written.files) + " files, " +
+                   std::to_string(written.bytes) + " bytes\n",
+               {{"path", arguments.out.string()},
+                {"format", arguments.format},
+                {"files", written.files},
+                {"bytes", written.bytes}});
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Context& context) {
+  auto* command = new_command(app, context, "export", "a city in other formats: a map, X3D, a web site",
+                              "vicus export city.gpkg --format svg --labels -o city.svg");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("CITY", arguments->city, "a city made by vicus build")->required();
+  command
+      ->add_option("--format", arguments->format,
+                   "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server")
+      ->required()
+      ->check(CLI::IsMember(kFormats));
+  command->add_option("-o,--output", arguments->out, "file or folder; else named after the city, here");
+  command->add_flag("--labels", arguments->has_labels, "svg: ids and names of sectors");
+  command->add_option("--bbox", arguments->box_m, "svg: WEST,SOUTH,EAST,NORTH in metres from the city's origin")
+      ->delimiter(',')
+      ->expected(4);
+  command->add_option("--start", arguments->start, "id of the sector where a visitor starts");
+  command->add_option("--x_ite", arguments->x_ite, "site: the folder of X_ITE: node_modules/x_ite");
+  command->callback([&context, arguments] { export_city(*arguments, context); });
+}
+
+}  // namespace vicus::cli
