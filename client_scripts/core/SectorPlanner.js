@@ -80,7 +80,8 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current);
         if (current?.ground) {
             if (hasInside(current, point)) return current.id;
-            const next = firstLevel(current).map(id => this.sectors.get(id)).find(sector => sector && hasInside(sector, point));
+            const around = firstLevel(current).map(id => this.sectors.get(id));
+            const next = around.find(sector => sector && hasInside(sector, point));
             if (next) return distanceToEdges(current.ground, point) > kGateHysteresisMm ? next.id : current.id;
         }
         for (const sector of this.sectors.values()) if (hasInside(sector, point)) return sector.id;

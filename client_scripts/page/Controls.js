@@ -66,7 +66,8 @@ export class Controls {
     pointerDown(event) {
         if (event.pointerType === 'mouse' && event.button !== 0) return;
         const walks = event.pointerType === 'touch' && event.clientX < innerWidth / 2;
-        const drag = { role: walks ? 'walk' : 'look', x0: event.clientX, y0: event.clientY, x: event.clientX, y: event.clientY };
+        const [x, y] = [event.clientX, event.clientY];
+        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y };
         this.drags.set(event.pointerId, drag);
         this.surface.setPointerCapture?.(event.pointerId);
         this.surface.focus();

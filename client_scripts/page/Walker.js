@@ -44,7 +44,8 @@ export class Walker {
         const length = Math.max(1, Math.hypot(wish.forward, wish.right));
         const reach = (wish.run ? kRunSpeed : kWalkSpeed) * time / length;
         const sin = Math.sin(heading), cos = Math.cos(heading), from = [east, north];
-        const goal = [east + reach * (wish.forward * sin + wish.right * cos), north + reach * (wish.forward * cos - wish.right * sin)];
+        const goal = [
+            east + reach * (wish.forward * sin + wish.right * cos), north + reach * (wish.forward * cos - wish.right * sin)];
         const inPlan = constrainMetres(this.walls, from, goal);
         const step = [inPlan[0] - east, inPlan[1] - north];
         if (Math.hypot(...step) < 1e-4) return from;

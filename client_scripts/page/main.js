@@ -8,7 +8,7 @@ import { placeFromUrl, rootUrl, urlOfPlace } from './sharedPlace.js';
 /** The page: the LOADER Script of the root world owns the sectors; here the visitor is moved and told where he is. */
 const hud = new Hud();
 const place = placeFromUrl(location.href);
-const visit = { current: '', sectors: [], homePose: null, firstStreetAt: 0, lastFrame: 0, lastLook: 0 };
+const visit = { current: '', sectors: [], homePose: null, firstStreetAt: 0, lastFrame: 0 };
 
 async function start() {
     hud.showProgress(0.1);
@@ -54,8 +54,8 @@ function show(records) {
     const failed = wanted.filter(sector => sector.phase === 'failed');
     const settled = wanted.filter(sector => sector.phase !== 'loading').length;
     hud.showProgress(wanted.length ? 0.4 + 0.6 * settled / wanted.length : 0.4);
-    if (failed.length)
-        hud.showTrouble(`${failed.length === 1 ? 'One place nearby' : `${failed.length} places nearby`} cannot be loaded: trying again.`);
+    const places = failed.length === 1 ? 'One place nearby' : `${failed.length} places nearby`;
+    if (failed.length) hud.showTrouble(`${places} cannot be loaded: trying again.`);
     else hud.hideTrouble();
 }
 

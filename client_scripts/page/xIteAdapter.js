@@ -51,8 +51,8 @@ export class XIteAdapter {
     /** Every sector the world has a place for: { id, phase, record }, record null unless it is there. */
     sectors() {
         const places = Array.from(this.browser.currentScene.getNamedNode('WORLD').children);
-        return places.flatMap(place => Array.from(place.children ?? [])).filter(node => node?.getNodeTypeName() === 'Inline')
-            .map(inline => this.sectorOf(inline));
+        return places.flatMap(place => Array.from(place.children ?? []))
+            .filter(node => node?.getNodeTypeName() === 'Inline').map(inline => this.sectorOf(inline));
     }
 
     sectorOf(inline) {
@@ -67,7 +67,8 @@ export class XIteAdapter {
     pose() {
         const view = this.browser.activeViewpoint.getValue(), p = view.getUserPosition();
         const ahead = view.getUserOrientation().multVecRot(new this.X3D.SFVec3f(0, 0, -1).getValue());
-        return { east: p.x, north: -p.z, up: p.y, heading: Math.atan2(ahead.x, -ahead.z), pitch: Math.asin(clampUnit(ahead.y)) };
+        const heading = Math.atan2(ahead.x, -ahead.z), pitch = Math.asin(clampUnit(ahead.y));
+        return { east: p.x, north: -p.z, up: p.y, heading, pitch };
     }
 
     /** Moves the eye without a transition. */
@@ -84,7 +85,8 @@ export class XIteAdapter {
     constrainStep(step) {
         const length = Math.hypot(...step), towards = [step[0] / length, step[1] / length];
         const { browser, corridor, X3D } = this;
-        if (corridor && corridor.free > length && towards[0] * corridor.towards[0] + towards[1] * corridor.towards[1] > kSameWay) {
+        const sameWay = corridor && towards[0] * corridor.towards[0] + towards[1] * corridor.towards[1] > kSameWay;
+        if (sameWay && corridor.free > length) {
             corridor.free -= length;
             return step;
         }

@@ -35,6 +35,13 @@ export class InlineSectors {
         return recordFromScene(inlineScene(this.inlines.get(id)));
     }
 
+    makeAlarm(seconds) {
+        const alarm = this.scene.createNode('TimeSensor');
+        alarm.cycleInterval = seconds;
+        this.world.children[this.world.children.length] = alarm;
+        return alarm;
+    }
+
     create(id, origin) {
         const place = this.scene.createNode('Transform'), inline = this.scene.createNode('Inline');
         inline.load = false;

@@ -1,31 +1,37 @@
 import { InlineSectors } from './InlineSectors.js';
 import { SectorLoader } from './SectorLoader.js';
+import { VrmlSectors } from './VrmlSectors.js';
 
 // The LOADER Script of the root world (client_scripts/README.md); its fields are in scope by name:
-// start, base, ids, inlines, origins, world, sector_changed. Bundled with core/ into /client/loader.js.
-/* global Browser, start, base, ids, inlines, origins, world, sector_changed:writable */
+// start, base, ids, inlines, places, origins, world, sector_changed. Bundled with core/ into /client/loader.js.
+/* global Browser, MFNode, MFString, start, base, ids, inlines, places, origins, world, sector_changed:writable */
 let loader = null;
 let visitor = null;
 let alarm = null;
 
 /** s an alarm rings: long enough for a frame. */
 const kRing = 0.1;
+/** m around its origin where a sector may lie that has told nothing yet. */
+const kUnknownReach = 100;
 
 function initialize() {
-    const sectors = new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines });
+    const isVrml97 = inlines.length === 0;
+    const sectors = isVrml97
+        ? new VrmlSectors({ browser: Browser, world, base, ids, places,
+            nodes: node => new MFNode(node), strings: text => new MFString(text) })
+        : new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines });
     loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text) });
-    const boxes = Array.from(inlines).map(inline => [inline.bboxCenter, inline.bboxSize]);
     Array.from(ids).forEach((id, i) => loader.planner.addNeighbour({
-        id, origin: [origins[i].x, -origins[i].z], box: planBox(origins[i], ...boxes[i]) }));
-    alarm = Browser.currentScene.createNode('TimeSensor');
-    alarm.cycleInterval = kRing;
-    world.children[world.children.length] = alarm;
+        id, origin: [origins[i].x, -origins[i].z], box: boxOf(origins[i], inlines[i]) }));
+    alarm = sectors.makeAlarm(kRing);
     sector_changed = start;
 }
 
-function planBox(origin, centre, size) {
+function boxOf(origin, inline) {
+    const { bboxCenter: centre, bboxSize: size } = inline ?? { bboxCenter: { x: 0, z: 0 }, bboxSize: { x: -1, z: -1 } };
+    const half = [size.x, size.z].map(side => (side < 0 ? kUnknownReach : side / 2));
     const east = origin.x + centre.x, north = -(origin.z + centre.z);
-    return [east - size.x / 2, north - size.z / 2, east + size.x / 2, north + size.z / 2];
+    return [east - half[0], north - half[1], east + half[0], north + half[1]];
 }
 
 function set_position(position) {

@@ -12,7 +12,8 @@ const [[name, make]] = Object.entries(cities());
 
 test(`the page of ${name}`, { timeout: 600000 }, async t => {
     mkdirSync(kShots, { recursive: true });
-    const server = await serveCity(make), browser = await openBrowser(), phone = await openBrowser({ width: 390, height: 760, hasTouch: true });
+    const server = await serveCity(make), browser = await openBrowser();
+    const phone = await openBrowser({ width: 390, height: 760, hasTouch: true });
     t.after(async () => {
         await browser.close();
         await phone.close();
@@ -32,7 +33,8 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
     await t.test('says that a place cannot be loaded, tries again, and then has it', async () => {
         const visitor = await Visitor.open(browser.context, 'about:blank');
         let refusals = 0;
-        await visitor.page.route(`**/sectors/${neighbour}.x3d`, route => (++refusals <= 2 ? route.abort() : route.continue()));
+        const refuseTwice = route => (++refusals <= 2 ? route.abort() : route.continue());
+        await visitor.page.route(`**/sectors/${neighbour}.x3d`, refuseTwice);
         await visitor.page.goto(`${server.origin}/?start=${start}`);
         await visitor.page.waitForSelector('#message.trouble:not([hidden])');
         assert.match(await visitor.page.textContent('#message'), /cannot be loaded: trying again/);
@@ -47,7 +49,8 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
         await visitor.streetTime();
         await visitor.page.waitForFunction(() => document.getElementById('street').textContent);
         if (record.name) assert.equal(await visitor.page.textContent('#street'), record.name);
-        assert.equal(await visitor.page.textContent('#rights'), await visitor.page.evaluate(() => window.vicus.view.meta('rights')));
+        const rights = await visitor.page.evaluate(() => window.vicus.view.meta('rights'));
+        assert.equal(await visitor.page.textContent('#rights'), rights);
         await visitor.page.close();
     });
 

@@ -12,15 +12,17 @@ const bareWorld = file => `<!DOCTYPE html><script type="module" src="/x_ite/15.0
 <x3d-canvas src="${file}" splashScreen="false" notifications="false" style="width: 640px; height: 480px"></x3d-canvas>`;
 
 const [[name, make]] = Object.entries(cities());
-test(`the X3D world of ${name} works without the page`, { timeout: 600000 }, async t => {
+for (const format of ['x3d', 'wrl']) test(`the .${format} world of ${name} works without the page`, { timeout: 600000 }, async t => {
     const server = await serveCity(make), browser = await openBrowser();
     t.after(async () => {
         await browser.close();
         await server.stop();
     });
-    const map = new CityMap(server.origin), start = await startWithRoute(map, kGates), route = await map.route(start, kGates);
+    const map = new CityMap(server.origin), start = await startWithRoute(map, kGates);
+    const route = await map.route(start, kGates);
     const tab = await openTab(browser.context);
-    await tab.page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body: bareWorld(`/city.x3d?start=${start}`) }));
+    const body = bareWorld(`/city.${format}?start=${start}`);
+    await tab.page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body }));
     await tab.page.goto(`${server.origin}/bare.html`);
     await assertSector(tab.page, map, start);
     for (let i = 1; i < route.length; ++i) {
@@ -32,16 +34,20 @@ test(`the X3D world of ${name} works without the page`, { timeout: 600000 }, asy
     assert.ok(tab.requests.every(({ path }) => !path.startsWith('/client/page/')), 'the page took part');
 });
 
-/** The LOADER says `id`, and L_1 of it is there. */
+/** The LOADER says `id`, and L_1 of it is there: live Inlines (X3D) or what the Script fetched (VRML97). */
 async function assertSector(page, map, id) {
     const wanted = firstLevel(await map.sector(id));
     await page.waitForFunction(({ id, wanted }) => {
         const scene = document.querySelector('x3d-canvas')?.browser?.currentScene;
         const loader = scene && Array.from(scene.rootNodes).length ? scene.getNamedNode('LOADER') : null;
         if (loader?.sector_changed !== id) return false;
-        const live = Array.from(scene.getNamedNode('WORLD').children).flatMap(place => Array.from(place.children ?? []))
-            .filter(inline => inline.load && inline.getValue().checkLoadState() === 1008).map(inline => inline.url[0]);
-        return wanted.every(near => live.some(url => url.endsWith(`/${near}.x3d`)));
+        const contents = Array.from(scene.getNamedNode('WORLD').children).flatMap(place => Array.from(place.children ?? []));
+        const live = contents.map(node => {
+            if (node.getNodeTypeName() === 'Anchor') return JSON.parse(node.parameter[0]).id;
+            const isLive = node.getNodeTypeName() === 'Inline' && node.load && node.getValue().checkLoadState() === 1008;
+            return isLive ? node.url[0].replace(/^.*\/|\.x3d$/g, '') : '';
+        });
+        return wanted.every(near => live.includes(near));
     }, { id, wanted }, { timeout: 60000, polling: 100 });
 }
 

@@ -81,9 +81,11 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
         const { unloads } = await visitor.diary();
         for (const [path, count] of visitor.fetches(/^\/sectors\/[^.]+\.x3d$/)) {
             const id = path.slice('/sectors/'.length, -'.x3d'.length);
-            assert.ok(count <= 1 + (unloads[id] ?? 0), `${path} fetched ${count} times, given back ${unloads[id] ?? 0} times`);
+            const unloaded = unloads[id] ?? 0;
+            assert.ok(count <= 1 + unloaded, `${path} fetched ${count} times, given back ${unloaded} times`);
         }
-        for (const [path, count] of visitor.fetches(/^\/(client|x_ite|city)/)) assert.equal(count, 1, `${path} fetched ${count} times`);
+        for (const [path, count] of visitor.fetches(/^\/(client|x_ite|city)/))
+            assert.equal(count, 1, `${path} fetched ${count} times`);
         const shapes = await visitor.shapes();
         t.diagnostic(`${shapes} Shapes`);
         assert.ok(shapes > 0 && shapes < kShapeCap, `${shapes} Shapes`);
@@ -143,7 +145,8 @@ async function assertSurroundings(visitor, map, current) {
     const allowed = new Set(wanted);
     for (const [i, { current: id }] of sectors.entries()) {
         const leftAt = sectors[i + 1]?.at ?? now;
-        if (now - leftAt < 1000 * (kKeepSeconds + kLagSeconds)) for (const near of firstLevel(await map.sector(id))) allowed.add(near);
+        if (now - leftAt > 1000 * (kKeepSeconds + kLagSeconds)) continue;
+        for (const near of firstLevel(await map.sector(id))) allowed.add(near);
     }
     for (const id of live) assert.ok(allowed.has(id), `${id} is there in ${current}, though left long ago`);
 }

@@ -27,8 +27,9 @@ export class Visitor {
     now() {
         return this.page.evaluate(() => {
             const { view, visit } = window.vicus, sectors = view.sectors();
-            const of = (...phases) => sectors.filter(sector => phases.includes(sector.phase)).map(sector => sector.id).sort();
-            return { current: visit.current, pose: view.pose(), live: of('live'), asked: of('live', 'loading'), failed: of('failed') };
+            const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ id }) => id).sort();
+            const [live, asked, failed] = [of('live'), of('live', 'loading'), of('failed')];
+            return { current: visit.current, pose: view.pose(), live, asked, failed };
         });
     }
 

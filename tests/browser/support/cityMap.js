@@ -42,7 +42,8 @@ export class CityMap {
         for (const gate of here.gates) {
             if (!gate.to || visited.has(gate.to) || widest(gate).width < kLeastGateMm) continue;
             const there = await this.sector(gate.to);
-            const penalty = (there.name && there.name === here.name ? 0 : 1) + (there.kind === 'street' ? 0 : 1) + (there.kind === 'yard' ? 2 : 0);
+            const isSameStreet = there.name && there.name === here.name;
+            const penalty = (isSameStreet ? 0 : 1) + (there.kind === 'street' ? 0 : 1) + (there.kind === 'yard' ? 2 : 0);
             next.push([penalty, gate.to]);
         }
         next.sort((a, b) => a[0] - b[0] || (a[1] < b[1] ? -1 : 1));
@@ -77,7 +78,8 @@ export class CityMap {
         const sector = await this.sector(id);
         const around = await Promise.all(sector.gates.map(gate => gate.to).filter(Boolean).map(other => this.sector(other)));
         const walls = new GroundWalls([sector, ...around]);
-        const spots = kOffWallMm.flatMap(off => cornersOffWalls(sector, off)).filter(spot => walls.isOnGround(spot) && walls.clearance(spot) >= kClearMm);
+        const spots = kOffWallMm.flatMap(off => cornersOffWalls(sector, off))
+            .filter(spot => walls.isOnGround(spot) && walls.clearance(spot) >= kClearMm);
         return shortestPath([from, to, ...spots], (a, b) => isClear(walls, a, b));
     }
 
@@ -145,7 +147,8 @@ function shortestPath(spots, canGo) {
     cost[0] = 0;
     while (!done.has(1)) {
         let best = -1;
-        for (let i = 0; i < spots.length; ++i) if (!done.has(i) && cost[i] < Infinity && (best < 0 || cost[i] < cost[best])) best = i;
+        for (let i = 0; i < spots.length; ++i)
+            if (!done.has(i) && cost[i] < Infinity && (best < 0 || cost[i] < cost[best])) best = i;
         if (best < 0) return null;
         done.add(best);
         for (let i = 0; i < spots.length; ++i) {
