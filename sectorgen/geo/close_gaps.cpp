@@ -46,6 +46,10 @@ bool is_near(PlanPoint p, const PlanBox& box) {
          p.y <= box.max.y + kReach;
 }
 
+PlanBox box_of_edge(PlanPoint a, PlanPoint b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
 /// What of the earlier houses lies near one house.
 struct Surroundings {
   struct Vertex {
@@ -54,6 +58,7 @@ struct Surroundings {
   };
   struct Edge {
     PlanPoint a, b;
+    PlanBox box;
     std::size_t house;
   };
   std::vector<Vertex> vertices;
@@ -63,11 +68,11 @@ struct Surroundings {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (is_near(a, box)) vertices.push_back({a, house});
-      const PlanBox edge_box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+      const PlanBox edge_box = box_of_edge(a, b);
       constexpr auto kReach = static_cast<std::int32_t>(kReachMm);
       if (edge_box.min.x <= box.max.x + kReach && edge_box.max.x >= box.min.x - kReach &&
           edge_box.min.y <= box.max.y + kReach && edge_box.max.y >= box.min.y - kReach)
-        edges.push_back({a, b, house});
+        edges.push_back({a, b, edge_box, house});
     }
   }
 };
@@ -99,6 +104,7 @@ class Approach {
     const Surroundings::Vertex* vertex = nullptr;
     for (const Surroundings::Vertex& v : around_.vertices) {
       if (v.at == p) return p;
+      if (!is_near(p, {v.at, v.at})) continue;
       if (const double d = distance_mm(v.at, p); d <= nearest && (d < nearest || !vertex || v.at < vertex->at)) {
         nearest = d;
         vertex = &v;
@@ -110,11 +116,13 @@ class Approach {
     }
     Foot best;
     std::size_t house = 0;
-    for (const Surroundings::Edge& edge : around_.edges)
+    for (const Surroundings::Edge& edge : around_.edges) {
+      if (!is_near(p, edge.box)) continue;
       if (const Foot foot = foot_on_edge(p, edge.a, edge.b); foot.distance_mm < best.distance_mm) {
         best = foot;
         house = edge.house;
       }
+    }
     if (best.distance_mm > kReachMm || best.distance_mm <= kRoundingMm) return p;
     note(p, house, best.distance_mm);
     return best.at;
@@ -126,9 +134,10 @@ class Approach {
       const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       full.push_back(a);
       if (a == b) continue;
+      const PlanBox edge_box = box_of_edge(a, b);
       std::vector<std::pair<double, const Surroundings::Vertex*>> between;
       for (const Surroundings::Vertex& v : around_.vertices) {
-        if (v.at == a || v.at == b) continue;
+        if (v.at == a || v.at == b || !is_near(v.at, edge_box)) continue;
         const Foot foot = foot_on_edge(v.at, a, b);
         const bool is_beside_end = foot.share <= 0 || foot.share >= 1;
         if (!is_beside_end && foot.distance_mm <= kReachMm && foot.distance_mm > kRoundingMm)

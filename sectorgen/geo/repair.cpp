@@ -101,7 +101,7 @@ RingFault fault_of(const GEOSGeometry* geometry) {
 
 bool is_geos_valid(const GEOSGeometry* geometry) { return GEOSisValid_r(geos(), geometry) == 1; }
 
-std::vector<Polygon> made_valid(Geometry geometry) {
+std::vector<Polygon> made_valid(const Geometry& geometry) {
   struct DestroyParams {
     void operator()(GEOSMakeValidParams* params) const { GEOSMakeValidParams_destroy_r(geos(), params); }
   };
@@ -139,6 +139,17 @@ bool drop_short_rings(std::vector<Ring>& rings, Repaired& result) {
   return true;
 }
 
+/// A ring drawn as a hole that has nothing in its outline is no hole of it; GEOS would take it for a polygon.
+void drop_holes_outside(Polygon& polygon) {
+  const auto is_outside = [&](const Ring& hole) {
+    return std::all_of(hole.begin(), hole.end(),
+                       [&](PlanPoint p) { return side_of(p, polygon.outer) == Side::outside; }) &&
+           std::none_of(polygon.outer.begin(), polygon.outer.end(),
+                        [&](PlanPoint p) { return side_of(p, hole) == Side::inside; });
+  };
+  polygon.holes.erase(std::remove_if(polygon.holes.begin(), polygon.holes.end(), is_outside), polygon.holes.end());
+}
+
 /// So that equal input gives equal output however GEOS orders its results.
 void make_canonical(std::vector<Polygon>& polygons) {
   const auto smallest_first = [](Ring& ring) {
@@ -169,14 +180,15 @@ Repaired repaired_polygons(std::vector<Ring> rings) {
     result.polygons.push_back(std::move(polygon));
     return result;
   }
-  Geometry geometry = geometry_of(polygon);
+  const Geometry geometry = geometry_of(polygon);
   if (is_geos_valid(geometry.get()) && area2(polygon.outer) != 0) {
     orient_rings(polygon);
     result.polygons.push_back(std::move(polygon));
     return result;
   }
   if (!result.fault) result.fault = fault_of(geometry.get());
-  result.polygons = made_valid(std::move(geometry));
+  drop_holes_outside(polygon);
+  result.polygons = made_valid(geometry_of(polygon));
   make_canonical(result.polygons);
   return result;
 }
