@@ -11,7 +11,7 @@ const kLongestStep = 0.2;
  * Moves the visitor by what the controls say: walls in plan first, bodies in 3D second, walls again, gravity by the
  * browser. The walls are the ground edges of the sectors that are there, so nobody leaves but through a gate.
  *
- * Needs   `view`: pose(), setPose(), constrainStep() as XIteAdapter has them.
+ * Needs   `view`: pose(), setPose(), constrainStep(), setGravity() as XIteAdapter has them.
  */
 export class Walker {
     constructor(view) {
@@ -28,9 +28,16 @@ export class Walker {
         this.walls = new GroundWalls(records.map(sectorFromRecord));
     }
 
+    /** Gravity only where there is ground below: not before the sector is there, not after a jump to where none is yet. */
+    keepFromFalling() {
+        const { east, north } = this.view.pose();
+        this.view.setGravity(this.walls.isOnGround([east * 1000, north * 1000]));
+    }
+
     /** One frame of `seconds`. `wish`: forward, right, turn in -1..1, look [heading, pitch] in radians, run. */
     step(wish, seconds) {
         const time = Math.min(seconds, kLongestStep);
+        this.keepFromFalling();
         if (!wish.forward && !wish.right && !wish.turn && !wish.look[0] && !wish.look[1]) return false;
         const pose = this.view.pose();
         pose.heading += wish.turn * kTurnSpeed * time + wish.look[0];

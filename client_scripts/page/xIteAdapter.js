@@ -99,6 +99,12 @@ export class XIteAdapter {
         return constrained ? [constrained.x, -constrained.z] : step;
     }
 
+    /** Gravity and steps are X_ITE's own while it walks; over ground that is not there yet, a walker would fall for ever. */
+    setGravity(isOn) {
+        const type = isOn ? 'WALK' : 'FLY', navigation = this.browser.activeNavigationInfo;
+        if (navigation && navigation.type[0] !== type) navigation.type = new this.X3D.MFString(type, 'ANY');
+    }
+
     /** Pixels drawn per CSS pixel. */
     setContentScale(scale) {
         this.browser.setBrowserOption('ContentScale', scale);

@@ -98,6 +98,20 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
         await page.close();
     });
 
+    await t.test('nobody falls where no ground is', async () => {
+        const visitor = await open(browser.context, `?start=${start}`);
+        await visitor.streetTime();
+        await visitor.settle();
+        await visitor.page.evaluate(() => {
+            const { view } = window.vicus, pose = view.pose();
+            view.setPose({ ...pose, east: pose.east + 20000, up: 1.7 });
+        });
+        await visitor.hold('KeyE', 3000);
+        const { up } = (await visitor.now()).pose;
+        assert.ok(up > 1.6 && up < 1.8, `eye at ${up} m`);
+        await visitor.page.close();
+    });
+
     await t.test('a thumb on the left walks, one on the right looks', async () => {
         const visitor = await open(phone.context, `?start=${start}`), { page } = visitor;
         await visitor.streetTime();

@@ -10,6 +10,7 @@ function viewAt(east, north, heading = Math.PI / 2, blocks = () => false) {
     const view = { at: { east, north, up: 1.7, heading, pitch: 0 }, sets: 0 };
     view.pose = () => ({ ...view.at });
     view.setPose = pose => { view.at = pose; ++view.sets; };
+    view.setGravity = isOn => { view.gravity = isOn; };
     view.constrainStep = step => (blocks(step) ? [0, 0] : step);
     return view;
 }
@@ -61,6 +62,15 @@ test('turning and looking move nobody; pitch has an end', () => {
     assert.ok(Math.abs(view.at.heading - 2.1) < 1e-9);
     assert.equal(view.at.pitch, 1.2);
     assert.deepEqual([view.at.east, view.at.north], [20, 5]);
+});
+
+test('gravity is on over ground that is there, off elsewhere', () => {
+    const view = viewAt(50, 5), walker = walkerIn(view, ['s0']);
+    walker.step(kStill, 0.05);
+    assert.equal(view.gravity, false);
+    walker.setGround(streetRecords().filter(({ id }) => ['s0', 's1'].includes(id)));
+    walker.step(kStill, 0.05);
+    assert.equal(view.gravity, true);
 });
 
 test('a stall carries nobody away', () => {
