@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,6 +19,23 @@ struct StageTime {
 struct BuildReport {
   std::vector<StageTime> stages;
 };
+
+/// Times one stage after the other; CPU time is of all threads.
+class StageClock {
+ public:
+  StageClock(BuildReport& report, std::function<void(const char* stage)> on_stage);
+  void begin(const char* stage);  ///< ends the one before
+  void end();
+
+ private:
+  BuildReport& report_;
+  std::function<void(const char*)> on_stage_;
+  const char* stage_ = nullptr;
+  double cpu_ = 0;
+  std::chrono::steady_clock::time_point wall_;
+};
+double cpu_seconds();
+double peak_resident_mb();
 
 struct BuildOptions {
   std::uint64_t budget_bytes = 200'000;  ///< per sector, as sent

@@ -1,0 +1,176 @@
+#include "sectorgen/build_city.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "city_db/store.hpp"
+#include "cli/command.hpp"
+#include "x3d_export/package.hpp"
+
+namespace vicus::cli {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string output, boundary, buildings, streets, origin;
+  unsigned threads = 0;
+  unsigned budget_kb = 200;
+  bool strict = false;
+  bool fresh_ids = false;
+};
+
+/// Whole map to sectors, with what each stage cost so far: how the time left is guessed.
+struct Progress {
+  bool shown;
+  explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
+  void operator()(const char* stage) const {
+    // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
+    static const std::map<std::string, double> kDone = {{"read", 0}, {"normalise", 0.2}, {"sectors", 0.4}, {"records", 0.55}, {"export", 0.65}};
+    if (!shown) return;
+    const double done = kDone.at(stage), spent = cpu_seconds();
+    if (done > 0)
+      std::fprintf(stderr, "\r\033[K%s ... about %.0f s left", stage, spent / done * (1 - done) + 0.5);
+    else
+      std::fprintf(stderr, "\r\033[K%s ...", stage);
+  }
+  ~Progress() {
+    if (shown) std::fprintf(stderr, "\r\033[K");
+  }
+};
+
+LatLon parse_origin(const std::string& text) {
+  double lat = 0, lon = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &lat, &lon, &rest) != 2 || !(std::abs(lat) <= 90) || !(std::abs(lon) <= 180))
+    throw CityError("--origin " + text + ": expected LAT,LON in degrees, such as 48.8770,2.3450", kWrongUsage);
+  return {lat, lon};
+}
+
+LoadOptions load_options(const Arguments& arguments) {
+  LoadOptions load;
+  for (const auto& input : arguments.inputs) load.inputs.emplace_back(input);
+  if (!arguments.boundary.empty()) load.boundary = arguments.boundary;
+  if (!arguments.buildings.empty()) load.buildings_layer = arguments.buildings;
+  if (!arguments.streets.empty()) load.streets_layer = arguments.streets;
+  if (!arguments.origin.empty()) load.origin = parse_origin(arguments.origin);
+  return load;
+}
+
+/// The city built before under this name, for its sector ids. A file that is no city is refused before any work is done.
+std::optional<City> previous_city(const Arguments& arguments) {
+  if (!std::filesystem::exists(arguments.output)) return std::nullopt;
+  City city = read_city(arguments.output);
+  if (arguments.fresh_ids) return std::nullopt;
+  return city;
+}
+
+void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
+  const auto lines = [](const auto& list) {
+    std::string out;
+    for (const auto& line : list) out += (out.empty() ? "" : "\n") + std::filesystem::path(line).string();
+    return out;
+  };
+  std::vector<std::string> names;
+  for (const auto& input : arguments.inputs) names.push_back(std::filesystem::path(input).filename().string());
+  city.meta["sources"] = lines(names);
+  city.meta["licences"] = lines(map.licences);
+  city.meta["program_version"] = VICUS_VERSION;
+  city.meta["budget_bytes"] = std::to_string(std::uint64_t{arguments.budget_kb} * 1000);
+  nlohmann::json options = {{"budget_kb", arguments.budget_kb}};
+  if (!arguments.origin.empty()) options["origin"] = arguments.origin;
+  if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
+  if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
+  if (!arguments.streets.empty()) options["streets"] = arguments.streets;
+  city.meta["options"] = options.dump();
+}
+
+nlohmann::json report_object(const City& city, const BuildReport& report, const std::string& output) {
+  nlohmann::json object = {{"output", output},
+                           {"counts",
+                            {{"sectors", city.sectors.size()},
+                             {"gates", city.gates.size()},
+                             {"buildings", city.buildings.size()},
+                             {"streets", city.streets.size()},
+                             {"objects", city.objects.size()},
+                             {"issues", city.issues.size()}}}};
+  std::map<std::string, int> issues;
+  for (const auto& issue : city.issues) ++issues[std::to_string(static_cast<int>(issue.code)) + " " + name_of(issue.code)];
+  object["issues"] = issues;
+  object["stages"] = nlohmann::json::array();
+  for (const auto& s : report.stages)
+    object["stages"].push_back({{"stage", s.stage}, {"cpu_s", s.cpu_s}, {"wall_s", s.wall_s}, {"peak_mb", s.peak_mb}});
+  return object;
+}
+
+std::string report_text(const City& city, const BuildReport& report, const std::string& output) {
+  std::ostringstream out;
+  double wall = 0;
+  for (const auto& s : report.stages) wall += s.wall_s;
+  char line[200];
+  std::snprintf(line, sizeof line, "%s: %zu sectors, %zu gates, %zu buildings from the map in %.1f s, %zu issues\n",
+                output.c_str(), city.sectors.size(), city.gates.size(), city.buildings.size(), wall, city.issues.size());
+  out << line;
+  out << "next: vicus check " << output << "; vicus serve " << output << "\n";
+  return out.str();
+}
+
+void run(const Arguments& arguments, Context& context) {
+  const std::optional<City> previous = previous_city(arguments);
+  const Progress progress(context);
+  BuildReport report;
+  StageClock clock(report, [&](const char* stage) { progress(stage); });
+  clock.begin("read");
+  std::vector<Issue> issues;
+  SourceMap map = load_source_map(load_options(arguments), issues);
+  clock.end();
+
+  BuildOptions options;
+  options.budget_bytes = std::uint64_t{arguments.budget_kb} * 1000;
+  options.threads = arguments.threads;
+  options.previous = previous ? &*previous : nullptr;
+  options.on_stage = [&](const char* stage) { progress(stage); };
+  const std::vector<std::string> licences = map.licences;
+  City city = build_city(map, options, std::move(issues), report);
+  fill_meta(arguments, map, city);
+
+  clock.begin("export");
+  PackageOptions package;
+  package.threads = arguments.threads;
+  const auto artefacts = export_artefacts(city, package);
+  for (const auto& s : city.sectors)
+    if (s.bytes > options.budget_bytes)
+      city.issues.push_back({IssueCode::over_budget,
+                             "sector " + s.id + " takes " + std::to_string(s.bytes) + " bytes and has no chord left to cut at", s.id, s.origin});
+  write_city(arguments.output, city, artefacts);
+  clock.end();
+  if (arguments.strict && !city.issues.empty()) context.exit_code = kRuleBroken;
+  print_result(context, report_text(city, report, arguments.output), report_object(city, report, arguments.output));
+}
+
+}  // namespace
+
+void add_build(CLI::App& app, Context& context) {
+  auto* command = new_command(app, context, "build", "derive a city from a map: sectors, gates, houses, X3D",
+                              "vicus build city.osm.pbf -o city.gpkg\n  vicus build buildings.gpkg streets.gpkg -o city.gpkg");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("INPUT", arguments->inputs, "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "the city file to write")->required();
+  command->add_option("--boundary", arguments->boundary, "a polygon file: what belongs to the city");
+  command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
+  command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
+  command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
+  command->add_option("--threads", arguments->threads, "0: all cores");
+  command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")->check(CLI::Range(10u, 100000u));
+  command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
+  command->add_flag("--fresh-ids", arguments->fresh_ids, "do not keep the sector ids of the city that is replaced");
+  command->callback([arguments, &context] { run(*arguments, context); });
+}
+
+}  // namespace vicus::cli

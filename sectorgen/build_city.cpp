@@ -1,0 +1,74 @@
+#include "sectorgen/build_city.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+
+#include "sectorgen/sectors/domain.hpp"
+#include "sectorgen/sectors/naming.hpp"
+#include "sectorgen/sectors/sectors.hpp"
+
+namespace vicus {
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double peak_resident_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+StageClock::StageClock(BuildReport& report, std::function<void(const char*)> on_stage)
+    : report_(report), on_stage_(std::move(on_stage)) {}
+
+void StageClock::begin(const char* stage) {
+  end();
+  if (on_stage_) on_stage_(stage);
+  stage_ = stage;
+  cpu_ = cpu_seconds();
+  wall_ = std::chrono::steady_clock::now();
+}
+
+void StageClock::end() {
+  if (stage_ == nullptr) return;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_;
+  report_.stages.push_back({stage_, cpu_seconds() - cpu_, wall.count(), peak_resident_mb()});
+  stage_ = nullptr;
+}
+
+City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> issues, BuildReport& report) {
+  StageClock clock(report, options.on_stage);
+  City city;
+  city.origin = map.origin;
+  city.issues = std::move(issues);
+  Plan plan;
+
+  clock.begin("normalise");
+  plan.blocks = make_blocks(map);
+  plan.domain = make_domain(map, plan.blocks);
+  if (plan.domain.empty()) throw CityError("nothing to build a city from: no footprint and no street", 4);
+  plan.kerbs = make_kerbs(map, plan.blocks, plan.domain);
+  plan.noded = node_map(plan.blocks, plan.domain, plan.kerbs);
+
+  clock.begin("sectors");
+  plan.ground = make_ground(plan.noded, GroundOptions{});
+  plan.routes = route_axes(plan.ground, map.axes, map.areas);
+  const CutOptions cuts;
+  plan.cells = cut_cells(plan.ground, plan.routes, cuts);
+  merge_cells(plan.ground, plan.routes, plan.cells);
+  if (plan.cells.kind.empty()) throw CityError("no walkable ground: no street, path or square reaches any open ground", 4);
+
+  clock.begin("records");
+  write_sectors(map, plan, city);
+  name_sectors(map, plan, city);
+  furnish(map, plan, city);
+  identify(options.previous, city);
+  clock.end();
+  return city;
+}
+
+}  // namespace vicus

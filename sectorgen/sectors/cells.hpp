@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sectorgen/sectors/ground.hpp"
+#include "sectorgen/sectors/routes.hpp"
+
+/// Where the ground is cut: corridors, their mouths, junctions, yards (research/SECTORS.md §4.4-4.8).
+namespace vicus {
+
+enum class CellKind : char { street, junction, yard };
+
+/// Free ground that is no cell: a yard behind narrow gaps, a courtyard no street reaches, ground beyond the city.
+enum class Closed : char { no, yard, courtyard, outside };
+
+/// Which cell each free triangle belongs to; kNone: not walkable (closed off, or never reached).
+struct Cells {
+  std::vector<std::uint32_t> of;    ///< per triangle
+  std::vector<CellKind> kind;       ///< per cell
+  std::vector<Closed> closed;       ///< per triangle
+};
+
+struct CutOptions {
+  double piece_m = 120;       ///< long streets are cut into pieces about this long
+  double fence_m = 2.0;       ///< ground behind gaps narrower than this is closed off
+};
+
+/// Street and junction cells from the used edges, yards behind them.
+/// Differs ties are broken by coordinates; kerbs bound a street; gaps between detached houses lead into yards.
+Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& options);
+
+/// Joins what a person would not have cut: small crossroads with one of their streets, wedges, slivers, short pieces of
+/// one street.
+void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
+
+}  // namespace vicus

@@ -1,0 +1,235 @@
+#include "sectorgen/sectors/domain.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/overlay.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kCell = 6;  // m
+
+/// A stretch of an axis outside the closed outline; `anchored`: that end is inside.
+struct Stretch {
+  Line line;
+  double half_width = 0;
+  bool anchored[2] = {false, false};
+};
+
+/// Axes cut where they share a vertex with another axis and where they pass the outline.
+std::vector<Stretch> stretches_outside(const SourceMap& map, const Raster& raster, const Mask& inside) {
+  std::map<PlanPoint, int> uses;
+  const auto is_out = [&](PlanPoint p) { return !inside[raster.cell_at(p)]; };
+  for (const auto& axis : map.axes)
+    for (PlanPoint p : axis.line)
+      if (is_out(p)) ++uses[p];
+  std::vector<Stretch> out;
+  for (const auto& axis : map.axes) {
+    Stretch s;
+    const auto flush = [&] {
+      if (s.line.size() > 1) out.push_back(s);
+      s = {};
+    };
+    s.half_width = std::max(axis.width_m / 2 + 3, 7.0);
+    for (std::size_t i = 0; i < axis.line.size(); ++i) {
+      const PlanPoint p = axis.line[i];
+      const bool first = i == 0;
+      const bool out_here = is_out(p);
+      if (!first) {
+        const bool was_out = is_out(axis.line[i - 1]);
+        if (!was_out && out_here) {
+          s.line = {axis.line[i - 1]};
+          s.anchored[0] = true;
+        }
+        if (was_out && !out_here) {
+          s.line.push_back(p);
+          s.anchored[1] = true;
+          flush();
+        }
+      }
+      s.half_width = std::max(axis.width_m / 2 + 3, 7.0);
+      if (!out_here) continue;
+      s.line.push_back(p);
+      if (i + 1 < axis.line.size() && uses[p] > 1 && s.line.size() > 1) {
+        flush();
+        s.half_width = std::max(axis.width_m / 2 + 3, 7.0);
+        s.line = {p};
+      }
+    }
+    flush();
+  }
+  return out;
+}
+
+/// Drops what leads nowhere until every end is anchored or meets another stretch.
+std::vector<Stroke> connecting(std::vector<Stretch> all) {
+  std::map<PlanPoint, int> degree;
+  for (const auto& s : all) {
+    if (!s.anchored[0]) ++degree[s.line.front()];
+    if (!s.anchored[1]) ++degree[s.line.back()];
+  }
+  std::vector<char> dead(all.size(), 0);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      auto& s = all[i];
+      if (dead[i]) continue;
+      const bool loose = (!s.anchored[0] && degree[s.line.front()] < 2) || (!s.anchored[1] && degree[s.line.back()] < 2);
+      if (!loose) continue;
+      dead[i] = 1;
+      changed = true;
+      if (!s.anchored[0]) --degree[s.line.front()];
+      if (!s.anchored[1]) --degree[s.line.back()];
+    }
+  }
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!dead[i]) strokes.push_back({simplify(all[i].line, 0.5), all[i].half_width});
+  return strokes;
+}
+
+PlanBox extent(const SourceMap& map, const Blocks& blocks) {
+  PlanBox box;
+  for (const auto& h : blocks.houses)
+    for (PlanPoint p : h.area.outer) box.add(p);
+  if (box.is_empty())
+    for (const auto& axis : map.axes)
+      for (PlanPoint p : axis.line) box.add(p);
+  return box;
+}
+
+}  // namespace
+
+std::vector<Polygon> make_domain(const SourceMap& map, const Blocks& blocks) {
+  if (!map.boundary.empty()) return map.boundary;
+  const PlanBox box = extent(map, blocks);
+  if (box.is_empty()) return {};
+  const Raster raster = Raster::over(box, kCell, kCityGrow + 4 * kCell);
+  Mask built(raster.size(), 0);
+  for (const auto& h : blocks.houses)
+    if (!h.is_overhead) paint(raster, h.area, built);
+  const bool has_houses = std::any_of(built.begin(), built.end(), [](char c) { return c != 0; });
+  if (!has_houses)
+    for (const auto& axis : map.axes) paint(raster, axis.line, built);
+  // Closing by distances: grown = within kCityGrow of a house; kept = farther than kCityShrink from what is not grown.
+  const std::vector<float> to_house = distance_m(raster, built);
+  Mask outside(raster.size());
+  for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = to_house[i] > static_cast<float>(kCityGrow);
+  const std::vector<float> to_outside = distance_m(raster, outside);
+  Mask inside(raster.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = to_outside[i] > static_cast<float>(kCityShrink);
+  std::vector<Polygon> domain = outlines(raster, inside);
+  for (auto& p : stroke_outlines(connecting(stretches_outside(map, raster, inside)), Cap::flat)) domain.push_back(std::move(p));
+  return domain;
+}
+
+namespace {
+
+constexpr double kKerbRun = 20;      // m: shorter open sides get no kerb
+constexpr double kKerbSpacing = 12;  // m between its vertices: where a cut may begin
+constexpr double kKerbJoin = 6;      // m: carriageways nearer than twice this share one strip
+
+/// Points every kKerbSpacing along the ring at most.
+Line densified(const Ring& ring) {
+  Line out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    const int n = static_cast<int>(metres(length_mm(a, b)) / kKerbSpacing) + 1;
+    for (int k = 0; k < n; ++k)
+      out.push_back({static_cast<std::int32_t>(a.x + (std::int64_t{b.x} - a.x) * k / n),
+                     static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * k / n)});
+  }
+  return out;
+}
+
+/// Runs of the closed line whose points pass the test, if longer than kKerbRun.
+template <class Test>
+void add_runs(const Line& closed, Test test, std::vector<Line>& out) {
+  const std::size_t n = closed.size();
+  std::size_t start = 0;
+  while (start < n && test(closed[start])) ++start;
+  if (start == n) {
+    Line whole = closed;
+    whole.push_back(closed.front());
+    out.push_back(std::move(whole));
+    return;
+  }
+  Line run;
+  double length = 0;
+  for (std::size_t k = 1; k <= n; ++k) {
+    const PlanPoint p = closed[(start + k) % n];
+    if (test(p)) {
+      if (!run.empty()) length += metres(length_mm(run.back(), p));
+      run.push_back(p);
+      continue;
+    }
+    if (length >= kKerbRun) out.push_back(run);
+    run.clear();
+    length = 0;
+  }
+}
+
+}  // namespace
+
+std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const std::vector<Polygon>& domain) {
+  const PlanBox box = extent(map, blocks);
+  std::vector<Line> kerbs;
+  if (box.is_empty()) return kerbs;
+  const Raster raster = Raster::over(box, kCell, kCityGrow);
+  Mask blocked(raster.size(), 0);
+  for (const auto& p : domain) paint(raster, p, blocked);
+  for (char& c : blocked) c = static_cast<char>(!c);
+  for (const auto& h : blocks.houses)
+    if (!h.is_overhead) paint(raster, h.area, blocked);
+  for (const auto& w : blocks.water) paint(raster, w, blocked);
+  for (const auto& w : blocks.walls) paint(raster, w.area, blocked);
+  const std::vector<float> clearance = distance_m(raster, blocked);
+  const auto clear_at = [&](PlanPoint p) { return static_cast<double>(clearance[raster.cell_at(p)]); };
+
+  // Only axes in the open: elsewhere the facades bound the street.
+  std::vector<Stroke> open;
+  for (const auto& axis : map.axes) {
+    if (axis.is_passage) continue;
+    Line run;
+    const double half = std::clamp(axis.width_m / 2 + 2.5, 4.0, 14.0);
+    const auto flush = [&] {
+      if (run.size() > 1) open.push_back({simplify(run, 0.3), half});
+      run.clear();
+    };
+    for (std::size_t i = 0; i + 1 < axis.line.size(); ++i) {
+      const PlanPoint a = axis.line[i], b = axis.line[i + 1];
+      const int n = static_cast<int>(metres(length_mm(a, b)) / kKerbSpacing) + 1;
+      for (int k = 0; k < n; ++k) {
+        const auto at = [&](int j) {
+          return PlanPoint{static_cast<std::int32_t>(a.x + (std::int64_t{b.x} - a.x) * j / n),
+                           static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * j / n)};
+        };
+        const PlanPoint p = at(k), q = at(k + 1);
+        if (std::max(clear_at(p), clear_at(q)) < half + 2 * kCell) {
+          flush();
+          continue;
+        }
+        if (run.empty()) run.push_back(p);
+        run.push_back(q);
+      }
+    }
+    flush();
+  }
+  for (const auto& strip : close_gaps(stroke_outlines(open, Cap::round), kKerbJoin)) {
+    const auto is_open = [&](PlanPoint p) { return clear_at(p) >= kOpenSide; };
+    const auto ring = [&](const Ring& r) {
+      Line closed = r;
+      closed.push_back(r.front());
+      closed = simplify(closed, 0.3);
+      closed.pop_back();
+      if (closed.size() >= 3) add_runs(densified(closed), is_open, kerbs);
+    };
+    ring(strip.outer);
+    for (const auto& hole : strip.holes) ring(hole);
+  }
+  return kerbs;
+}
+
+}  // namespace vicus

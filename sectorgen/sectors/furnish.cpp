@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/locator.hpp"
+#include "sectorgen/sectors/naming.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The cell at p, or near it: shops and doors are mapped inside houses or on their walls.
+std::uint32_t cell_near(const Plan& plan, const Locator& locator, PlanPoint p) {
+  for (double radius : {0.0, 1.0, 3.0, 6.0, 10.0})
+    for (int k = 0; k < (radius > 0 ? 8 : 1); ++k) {
+      const PlanPoint q{p.x + lattice_mm(radius * std::cos(k * kPi / 4)), p.y + lattice_mm(radius * std::sin(k * kPi / 4))};
+      const std::uint32_t t = locator.locate(q);
+      if (t != kNone && plan.cells.of[t] != kNone) return plan.cells.of[t];
+    }
+  return kNone;
+}
+
+std::string object_id(const std::string& source_id) {
+  std::string id;
+  for (char c : source_id) id += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ? c : '-';
+  return id.empty() ? "object" : id;
+}
+
+/// Where a visitor starts: the middle of the chord nearest to the sector's centre, looking along the street.
+struct Stand {
+  std::int64_t distance = 0;
+  PlanPoint at;
+  double heading_deg = 0;
+};
+
+void add_viewpoints(const Plan& plan, City& city) {
+  const Ground& g = plan.ground;
+  std::map<std::uint32_t, Stand> best;
+  const auto offer = [&](std::uint32_t c, PlanPoint a, PlanPoint b) {
+    const Sector& s = city.sectors[c];
+    const PlanPoint middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    if (locate(s.ground, middle) != Side::inside) return;  // on an island
+    const std::int64_t d = distance2(middle, s.origin);
+    const auto it = best.find(c);
+    if (it != best.end() && (it->second.distance < d || (it->second.distance == d && it->second.at < middle))) return;
+    // Across the chord is along the street; take the direction in which more of the sector lies.
+    double heading = std::atan2(-(double(b.y) - a.y), double(b.x) - a.x) * 180 / kPi;  // of the normal, clockwise from north
+    std::int64_t ahead = 0, behind = 0;
+    for (PlanPoint p : s.ground.outer) {
+      const std::int64_t side = orient(a, b, p);
+      ahead = std::max(ahead, side);
+      behind = std::max(behind, -side);
+    }
+    if (behind > ahead) heading += 180;
+    heading = std::fmod(heading + 720, 360);
+    best[c] = {d, middle, std::round(heading * 10) / 10};
+  };
+  for (int used = 1; used >= 0; --used)
+    for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t) {
+      const std::uint32_t c = plan.cells.of[t];
+      if (c == kNone || (used == 0 && best.count(c) != 0 && best[c].distance >= 0)) continue;
+      for (int k = 0; k < 3; ++k) {
+        if (!g.is_crossable(t, k) || plan.cells.of[g.beyond(t, k)] != c) continue;
+        if (used == 1 && !plan.routes.is_used[g.edge_id(t, k)]) continue;
+        const PlanPoint a = g.from(t, k), b = g.to(t, k);
+        offer(c, std::min(a, b), std::max(a, b));
+      }
+    }
+  for (std::uint32_t c = 0; c < city.sectors.size(); ++c) {
+    const Sector& s = city.sectors[c];
+    Viewpoint v;
+    v.sector_id = s.id;
+    v.kind = "start";
+    v.name = s.name.empty() ? std::string(name_of(s.kind)) : s.name;
+    const auto it = best.find(c);
+    if (it != best.end()) {
+      v.at = it->second.at;
+      v.heading_deg = it->second.heading_deg;
+    } else {  // one triangle: its centre
+      std::vector<PlanPoint> p = s.ground.outer;
+      const auto& i = s.ground_triangles;
+      if (i.size() < 3) continue;
+      for (const auto& hole : s.ground.holes) p.insert(p.end(), hole.begin(), hole.end());
+      v.at = {static_cast<std::int32_t>((std::int64_t{p[i[0]].x} + p[i[1]].x + p[i[2]].x) / 3),
+              static_cast<std::int32_t>((std::int64_t{p[i[0]].y} + p[i[1]].y + p[i[2]].y) / 3)};
+    }
+    city.viewpoints.push_back(std::move(v));
+  }
+}
+
+}  // namespace
+
+void furnish(const SourceMap& map, const Plan& plan, City& city) {
+  const Locator locator(plan.ground.mesh);
+  std::map<std::string, int> used;
+  for (const auto& o : map.objects) {
+    const std::uint32_t c = cell_near(plan, locator, o.at);
+    if (c == kNone) continue;  // in a closed courtyard or out of the city
+    StandaloneObject out{object_id(o.source_id), std::to_string(c), o.kind, o.name, o.at, o.height_m, o.tags};
+    const int n = used[out.id]++;
+    if (n > 0) out.id += "-" + std::to_string(n + 1);
+    city.objects.push_back(std::move(out));
+  }
+  add_viewpoints(plan, city);
+}
+
+}  // namespace vicus

@@ -1,0 +1,64 @@
+#pragma once
+#include <vector>
+
+#include "sectorgen/geom/triangulation.hpp"
+#include "sectorgen/sectors/noded_map.hpp"
+
+/// The walkable ground as a triangulation whose edges are all places where a cut may be.
+///
+/// Every vertex lies on an obstacle or a kerb, so the mesh's dual graph is a deformation retract of the ground less its
+/// kerbs: reducing paths in it is exact homotopy (research/SECTORS.md §1).
+namespace vicus {
+
+/// What lies beyond a bounding edge of the ground.
+enum class Beyond : char { house, wall, water, city_edge };
+
+/// A bounding edge of the ground before T-vertices were put on it: an edge of the noded features.
+struct GroundSide {
+  PlanPoint a, b;  ///< ground on the left
+  Beyond beyond = Beyond::house;
+  std::vector<PlanPoint> added;  ///< T-vertices from a to b
+};
+
+struct GroundEdge {
+  PlanPoint a, b;             ///< ground on the left
+  std::uint32_t side = kNone; ///< index into Ground::sides; kNone: a kerb, ground on both sides
+  bool is_kerb() const { return side == kNone; }
+};
+
+struct Island {
+  Polygon area;
+  Beyond kind = Beyond::house;
+};
+
+struct Ground {
+  Mesh mesh;                          ///< of everything; edge[] indexes `edges`
+  std::vector<GroundEdge> edges;      ///< constrained edges
+  std::vector<GroundSide> sides;
+  std::vector<char> is_free;          ///< per triangle
+  std::vector<char> is_added;         ///< per point: a T-vertex, not in the source
+  std::vector<Island> islands;        ///< small free-standing obstacles, left out of the mesh
+  std::vector<Ring> domain;           ///< outline of the city: simple rings, city on the left
+
+  /// A number for each undirected edge, from either side; size of such numbers.
+  std::uint32_t edge_id(std::uint32_t t, int k) const;
+  std::size_t edge_ids() const { return mesh.triangles.size() * 3; }
+  bool is_crossable(std::uint32_t t, int k) const;  ///< free on both sides, kerb or not
+  bool is_city_edge(std::uint32_t t, int k) const;  ///< a free triangle's side where the city ends
+  PlanPoint from(std::uint32_t t, int k) const { return mesh.points[mesh.corner(t, k + 1)]; }
+  PlanPoint to(std::uint32_t t, int k) const { return mesh.points[mesh.corner(t, k + 2)]; }
+  std::uint32_t beyond(std::uint32_t t, int k) const { return mesh.triangles[t].neighbour[static_cast<std::size_t>(k)]; }
+};
+
+struct GroundOptions {
+  double island_m2 = 60;      ///< smaller free-standing obstacles become islands
+  double piece_m = 6;         ///< facades get a candidate vertex at least this often
+};
+
+/// Error   a facade bends by at most 0.71 mm at a T-vertex; else none.
+/// Fails   CityError(exit 4): no ground at all.
+/// Source  research/SECTORS.md §4.1, §4.2.
+/// Differs no polygon union: a flood through the triangulation counts how many features cover each triangle.
+Ground make_ground(const std::vector<NodedPart>& map, const GroundOptions& options);
+
+}  // namespace vicus

@@ -1,0 +1,114 @@
+#include "sectorgen/sectors/obstacles.hpp"
+
+#include <algorithm>
+
+#include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/box_index.hpp"
+#include "sectorgen/sectors/overlay.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kPassageHalfWidthMin = 1.25, kPassageHalfWidthMax = 3.0;
+constexpr double kOpeningHalfWidth = 1.5;  // a gate in a wall or fence
+constexpr double kWallThicknessMin = 0.2;  // thinner ones would come out as slivers
+
+PlanBox box_of_line(const Line& line, double margin_m) {
+  PlanBox box;
+  for (PlanPoint p : line) box.add(p);
+  const std::int32_t d = lattice_mm(margin_m);
+  return {{box.min.x - d, box.min.y - d}, {box.max.x + d, box.max.y + d}};
+}
+
+/// Strokes along axes, found again by box.
+struct Strokes {
+  std::vector<Stroke> strokes;
+  BoxIndex index;
+  Strokes(std::vector<Stroke> s) : strokes(std::move(s)) {
+    std::vector<PlanBox> boxes;
+    for (const auto& stroke : strokes) boxes.push_back(box_of_line(stroke.line, stroke.radius_m + 1));
+    index = BoxIndex(std::move(boxes));
+  }
+  std::vector<Stroke> near(const PlanBox& box) const {
+    std::vector<Stroke> out;
+    for (std::uint32_t i : index.meeting(box)) out.push_back(strokes[i]);
+    return out;
+  }
+};
+
+void add_houses(const SourceMap& map, Blocks& blocks) {
+  std::vector<Stroke> passages;
+  for (const auto& axis : map.axes)
+    if (axis.is_passage)
+      passages.push_back({axis.line, std::clamp(axis.width_m / 2, kPassageHalfWidthMin, kPassageHalfWidthMax)});
+  const Strokes strokes(std::move(passages));
+  for (std::uint32_t i = 0; i < map.footprints.size(); ++i) {
+    const Footprint& f = map.footprints[i];
+    if (f.is_part) continue;  // parts shape the model; their outline blocks the ground
+    if (f.base_m > kWalkUnderMetres) {
+      blocks.houses.push_back({i, f.area, true, f.base_m});
+      continue;
+    }
+    const auto near = strokes.near(box_of(f.area));
+    if (near.empty()) {
+      blocks.houses.push_back({i, f.area, false, 0});
+      continue;
+    }
+    const auto ways = stroke_outlines(near, Cap::square);
+    const double headroom = std::min(kPassageHeadroom, 0.7 * f.height_m);
+    for (auto& p : subtract(f.area, ways)) blocks.houses.push_back({i, std::move(p), false, 0});
+    for (auto& p : intersect(f.area, ways)) {
+      blocks.passages.push_back(p);
+      blocks.houses.push_back({i, std::move(p), true, headroom});
+    }
+  }
+}
+
+void add_water(const SourceMap& map, Blocks& blocks) {
+  std::vector<Stroke> decks;
+  for (const auto& axis : map.axes)
+    if (!axis.is_passage) decks.push_back({axis.line, axis.width_m / 2 + 1});
+  const Strokes strokes(std::move(decks));
+  for (const auto& area : map.areas) {
+    if (area.kind != AreaKind::water) continue;
+    const auto near = strokes.near(box_of(area.area));
+    if (near.empty())
+      blocks.water.push_back(area.area);
+    else
+      for (auto& p : subtract(area.area, stroke_outlines(near, Cap::flat))) blocks.water.push_back(std::move(p));
+  }
+}
+
+void add_walls(const SourceMap& map, Blocks& blocks) {
+  std::vector<Stroke> ways;
+  for (const auto& axis : map.axes) ways.push_back({axis.line, axis.width_m / 2 + 0.5});
+  const Strokes strokes(std::move(ways));
+  for (std::uint32_t i = 0; i < map.barriers.size(); ++i) {
+    const Barrier& b = map.barriers[i];
+    const double half = std::max(kWallThicknessMin, b.thickness_m) / 2;
+    auto open = strokes.near(box_of_line(b.line, half));
+    for (PlanPoint p : b.openings) {
+      const std::int32_t d = lattice_mm(kOpeningHalfWidth);
+      open.push_back({{{p.x - d, p.y}, {p.x + d, p.y}}, kOpeningHalfWidth});
+    }
+    for (auto& area : stroke_outlines({{b.line, half}}, Cap::flat)) {
+      if (open.empty()) {
+        blocks.walls.push_back({i, std::move(area)});
+        continue;
+      }
+      for (auto& p : subtract(area, stroke_outlines(open, Cap::flat))) blocks.walls.push_back({i, std::move(p)});
+    }
+  }
+}
+
+}  // namespace
+
+Blocks make_blocks(const SourceMap& map) {
+  Blocks blocks;
+  add_houses(map, blocks);
+  add_water(map, blocks);
+  add_walls(map, blocks);
+  return blocks;
+}
+
+}  // namespace vicus

@@ -1,0 +1,67 @@
+#pragma once
+#include <vector>
+
+#include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/ground.hpp"
+
+/// From labelled triangles to rings: the boundary of every region, with what lies beyond each stretch.
+namespace vicus {
+
+struct HalfEdge {
+  std::uint32_t triangle = 0;
+  int side = 0;
+};
+
+/// One straight piece of a region's boundary, region on the left.
+struct BoundaryPiece {
+  PlanPoint a, b;
+  std::uint32_t other = kNone;        ///< the region beyond; kNone: an obstacle or the city's edge
+  std::uint32_t ground_side = kNone;  ///< index into Ground::sides where an obstacle or the city's edge lies beyond
+  HalfEdge first, last;               ///< the mesh's edges it was made of
+};
+
+using BoundaryWalk = std::vector<BoundaryPiece>;
+
+/// Boundaries of the regions 0 .. count-1. T-vertices that end no edge between two regions are left out again.
+struct Boundaries {
+  std::vector<std::vector<BoundaryWalk>> walks;  ///< per region, in the order of their smallest half-edge
+  std::vector<char> is_kept;                     ///< per mesh point: false for a T-vertex that was left out
+};
+Boundaries trace_regions(const Ground& ground, const std::vector<std::uint32_t>& region, std::uint32_t count);
+
+/// The piece's twin is the next piece's twin's successor: both lie on one line between the same two regions.
+bool continues(const Ground& ground, const std::vector<std::uint32_t>& region, const BoundaryPiece& a, const BoundaryPiece& b);
+
+/// Points of a walk.
+Ring ring_of(const BoundaryWalk& walk);
+
+/// Original feature rings with the T-vertices that were kept on their edges.
+class Bends {
+ public:
+  Bends(const Ground& ground, const Boundaries& boundaries);
+  Ring apply(const Ring& ring) const;
+
+ private:
+  struct Bend {
+    PlanPoint a, b;  // a < b
+    std::vector<PlanPoint> points;
+  };
+  std::vector<Bend> bends_;
+};
+
+/// Features as they ended up: simple polygons with the bends of their edges. A ring that rounding pinched may give
+/// several; one that vanished gives none.   visit(layer, feature, polygon)
+template <class Visit>
+void for_features(const std::vector<NodedPart>& map, const Bends& bends, Visit visit) {
+  for (std::size_t i = 0; i < map.size();) {
+    const Layer layer = map[i].layer;
+    const std::uint32_t feature = map[i].feature;
+    std::vector<Ring> rings;
+    for (; i < map.size() && map[i].layer == layer && map[i].feature == feature; ++i)
+      if (layer != Layer::kerb)
+        for (auto& ring : simple_rings(bends.apply(map[i].points))) rings.push_back(std::move(ring));
+    for (auto& polygon : assemble(std::move(rings))) visit(layer, feature, std::move(polygon));
+  }
+}
+
+}  // namespace vicus
