@@ -198,7 +198,7 @@ void report(const std::vector<Gap>& gaps, const std::vector<Footprint>& footprin
 void close_gaps(std::vector<Footprint>& footprints, std::vector<Issue>& issues) {
   std::vector<PlanBox> boxes;
   for (const Footprint& footprint : footprints)
-    boxes.push_back(footprint.is_part || footprint.base_m > 0 ? PlanBox{} : box_of(footprint.area.outer));
+    boxes.push_back(footprint.is_part || footprint.base_m > 0 ? PlanBox{} : bounds_of(footprint.area.outer));
   const auto pairs = box_pairs(boxes, static_cast<std::int32_t>(kReachMm));
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
     const std::size_t house = pairs[begin].second;

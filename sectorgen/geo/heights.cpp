@@ -100,7 +100,7 @@ Cell cell_of(PlanPoint p) {
 }
 
 PlanPoint centre_of(const Footprint& footprint) {
-  const PlanBox box = box_of(footprint.area.outer);
+  const PlanBox box = bounds_of(footprint.area.outer);
   return {static_cast<std::int32_t>((std::int64_t{box.min.x} + box.max.x) / 2),
           static_cast<std::int32_t>((std::int64_t{box.min.y} + box.max.y) / 2)};
 }

@@ -41,12 +41,12 @@ Side locate(const Polygon& polygon, PlanPoint p) {
   return inside ? Side::inside : Side::outside;
 }
 
-PlanBox box_of(const Ring& ring) {
+PlanBox bounds_of(const Ring& ring) {
   PlanBox box;
   for (PlanPoint p : ring) box.add(p);
   return box;
 }
-PlanBox box_of(const Polygon& polygon) { return box_of(polygon.outer); }
+PlanBox bounds_of(const Polygon& polygon) { return bounds_of(polygon.outer); }
 
 Ring convex_hull(std::vector<PlanPoint> points) {
   std::sort(points.begin(), points.end());

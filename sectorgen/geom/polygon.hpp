@@ -18,8 +18,8 @@ double area_m2(const Polygon& polygon);
 /// Exact; even-odd over all rings.
 Side locate(const Polygon& polygon, PlanPoint p);
 
-PlanBox box_of(const Polygon& polygon);
-PlanBox box_of(const Ring& ring);
+PlanBox bounds_of(const Polygon& polygon);
+PlanBox bounds_of(const Ring& ring);
 
 /// Convex hull, counter-clockwise, no collinear points (Andrew's monotone chain).
 Ring convex_hull(std::vector<PlanPoint> points);

@@ -17,7 +17,7 @@ constexpr double kStreetOpening = 5.0;        // m (research/SECTORS.md §6)
 /// Area of the cells' triangles whose centre lies in each of the polygons: (cell, polygon) -> m2.
 std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered(const Plan& plan, const std::vector<Polygon>& polygons) {
   std::vector<PlanBox> boxes;
-  for (const auto& p : polygons) boxes.push_back(box_of(p));
+  for (const auto& p : polygons) boxes.push_back(bounds_of(p));
   const BoxIndex index(boxes);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> out;
   if (polygons.empty()) return out;

@@ -49,7 +49,7 @@ void add_houses(const SourceMap& map, Blocks& blocks) {
       blocks.houses.push_back({i, f.area, true, f.base_m});
       continue;
     }
-    const auto near = strokes.near(box_of(f.area));
+    const auto near = strokes.near(bounds_of(f.area));
     if (near.empty()) {
       blocks.houses.push_back({i, f.area, false, 0});
       continue;
@@ -71,7 +71,7 @@ void add_water(const SourceMap& map, Blocks& blocks) {
   const Strokes strokes(std::move(decks));
   for (const auto& area : map.areas) {
     if (area.kind != AreaKind::water) continue;
-    const auto near = strokes.near(box_of(area.area));
+    const auto near = strokes.near(bounds_of(area.area));
     if (near.empty())
       blocks.water.push_back(area.area);
     else

@@ -31,11 +31,6 @@ Regions make_regions(const Ground& g, const Cells& cells) {
   return r;
 }
 
-BorderKind border_kind(Beyond beyond, bool is_fence) {
-  if (is_fence) return BorderKind::fence;
-  return beyond == Beyond::house ? BorderKind::facade : beyond == Beyond::wall ? BorderKind::wall : BorderKind::bank;
-}
-
 constexpr double kFenceHeight = 1.6;
 
 /// What a piece of a cell's boundary is; equal keys in a row make one record.
@@ -93,16 +88,23 @@ class Writer {
       key.what = PieceKey::end_of_city;
       return key;
     }
-    key.kind = border_kind(side.beyond, false);
-    if (side.beyond == Beyond::house) key.other = facades_.house_behind(p.a, p.b);
-    if (side.beyond == Beyond::wall) {
-      const auto it = std::lower_bound(walls_.begin(), walls_.end(), std::make_pair(DirectedEdge{p.b, p.a}, std::uint32_t{0}));
-      if (it != walls_.end() && it->first == DirectedEdge{p.b, p.a}) {
-        const Barrier& barrier = map_.barriers[plan_.blocks.walls[it->second].barrier];
-        key.height = barrier.height_m;
-        if (!barrier.is_wall) key.kind = BorderKind::fence;
-      }
+    return obstacle_key(p.a, p.b, side.beyond);
+  }
+
+  /// What stops a walker at the ground's edge ab: the house there, else the wall or fence, else water.
+  PieceKey obstacle_key(PlanPoint a, PlanPoint b, Beyond beyond) const {
+    PieceKey key;
+    key.other = facades_.house_behind(a, b);
+    if (key.other != kNone) return key;
+    const DirectedEdge back{b, a};
+    const auto it = std::lower_bound(walls_.begin(), walls_.end(), std::make_pair(back, std::uint32_t{0}));
+    if (it != walls_.end() && it->first == back) {
+      const Barrier& barrier = map_.barriers[plan_.blocks.walls[it->second].barrier];
+      key.kind = barrier.is_wall ? BorderKind::wall : BorderKind::fence;
+      key.height = barrier.height_m;
+      return key;
     }
+    key.kind = beyond == Beyond::water ? BorderKind::bank : BorderKind::facade;
     return key;
   }
 
@@ -143,7 +145,7 @@ class Writer {
     Sector sector;
     sector.id = number;
     sector.ground = std::move(polygons.at(0));
-    PlanBox box = box_of(sector.ground);
+    PlanBox box = bounds_of(sector.ground);
     sector.origin = {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
     sector.ground_triangles = triangulate(sector.ground);
     city_.sectors.push_back(std::move(sector));
@@ -180,12 +182,7 @@ class Writer {
       PieceKey last;
       for (std::size_t k = 0; k < hole.size(); ++k) {
         const PlanPoint a = hole[k], b = hole[(k + 1) % hole.size()];
-        PieceKey key;
-        key.kind = border_kind(island.kind, false);
-        key.other = facades_.house_behind(a, b);
-        if (key.other != kNone) key.kind = BorderKind::facade;
-        else if (key.kind == BorderKind::facade) key.kind = BorderKind::wall;
-        if (key.kind == BorderKind::wall) key.height = kFenceHeight;
+        const PieceKey key = obstacle_key(a, b, island.kind);
         if (!line.empty() && !(key == last)) {
           write_run(c, number, last, std::move(line));
           line.clear();

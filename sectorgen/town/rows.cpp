@@ -16,6 +16,7 @@ namespace {
 constexpr double kLeastDepth = 6, kMostDepth = 15;
 constexpr double kLeastStep = 0.9;  // m: rear walls of neighbours differ by this or not at all
 constexpr double kTypicalFront = 9.5;
+constexpr double kShortSide = 17;
 
 /// A wall across the row: from the facade inwards. `before`, `after`: depth of the houses on both sides.
 struct Wall {
@@ -48,11 +49,14 @@ Wall wall_at(const Row& row, double at) {
   return w;
 }
 
+/// Legs that give the corner house the depth; where the point of the corner is cut off, the cut counts.
 double leg_of(const Side& before, const Side& after, double depth) {
   const Vec u = unit(before.front[before.front.size() - 2] - before.front.back());
   const Vec v = unit(after.front[1] - after.front.front());
   const double c = dot(u, v), s = cross(v, u);  // of the inner angle
-  return s < 0.2 ? 0 : std::clamp(depth * (1 + c) / s, kLeastDepth, 17.0);
+  if (s < 0.2) return 0;
+  const double cut_off = distance(before.front.back(), after.front.front()) / (2 * std::sqrt((1 - c) / 2));
+  return std::clamp(depth * (1 + c) / s - cut_off, kLeastDepth - cut_off / 4 < 4 ? 4 : kLeastDepth, 17.0);
 }
 
 /// Walls of one side, the corners' legs given; none when the side is too short for both.
@@ -114,9 +118,8 @@ void draw_depths(Row& row, double typical, Rng& rng) {
 }
 
 struct Plot {
-  Ring ring;                    ///< counter-clockwise, starting with the front
-  std::size_t front_count = 2;  ///< how many of them are on the facade line
-  std::vector<Vec> rear;        ///< its part of the courtyard's ring, in the order of the facade
+  Ring ring;              ///< counter-clockwise, starting with the front
+  std::vector<Vec> rear;  ///< its part of the courtyard's ring, in the order of the facade
   const Side* side = nullptr;
   double middle_m = 0;  ///< chainage along the street
   bool is_corner = false;
@@ -134,8 +137,9 @@ double chainage(const Row& row, double at) {
 Plot corner_plot(const Row& before, const Row& after, Vec inner) {
   const Wall &a = before.walls.back(), &b = after.walls.front();
   Plot p;
-  p.ring = {a.front, after.side->front.front(), b.front};
-  p.front_count = 3;
+  p.ring = {a.front, before.side->front.back()};
+  if (!(p.ring.back() == after.side->front.front())) p.ring.push_back(after.side->front.front());
+  p.ring.push_back(b.front);
   add_wall_step(p.ring, b, b.before, b.after);
   p.ring.push_back(inner);
   add_wall_step(p.ring, a, a.after, a.before);
@@ -231,8 +235,8 @@ std::vector<Passage> break_passages(Site& site, std::vector<Plot>& plots, Rng& r
 }
 
 Ring light_well(const Plot& p, Rng& rng) {
-  if (p.front_count != 2 || p.ring.size() != 4 || distance(p.ring[0], p.ring[1]) < 10.5 ||
-      distance(p.ring[1], p.ring[2]) < 11.5 || !rng.chance(0.3))
+  if (p.is_corner || p.ring.size() != 4 || distance(p.ring[0], p.ring[1]) < 9.5 ||
+      distance(p.ring[1], p.ring[2]) < 10 || !rng.chance(0.3))
     return {};
   const Vec c = centroid_of(p.ring);
   Ring well = rectangle(c, unit(p.ring[1] - p.ring[0]), rng.between(1.3, 2), rng.between(1.3, 2));
@@ -243,7 +247,9 @@ Ring light_well(const Plot& p, Rng& rng) {
 
 }  // namespace
 
-bool build_rows(Site& site, const std::vector<Side>& sides, std::size_t face) {
+bool build_rows(Site& site, std::vector<Side> sides, std::size_t face) {
+  if (sides.size() > 3)  // a side too short for two corner houses is the cut-off point of one
+    std::erase_if(sides, [](const Side& s) { return length_of(s.front) < kShortSide; });
   if (sides.size() < 3) return false;
   Rng rng = site.rng.fork();
   std::vector<Plot> plots;

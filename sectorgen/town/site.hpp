@@ -60,7 +60,7 @@ void open_shop(Site& site, Vec at);
 
 // rows.cpp
 /// Houses wall to wall around a block, a courtyard in the middle. `face` is kNoFace for a block that is no face.
-bool build_rows(Site& site, const std::vector<Side>& sides, std::size_t face);
+bool build_rows(Site& site, std::vector<Side> sides, std::size_t face);
 /// For a block too narrow for a courtyard; false when it has not four corners of houses' size.
 bool build_narrow_block(Site& site, std::size_t face);
 /// Four corners, counter-clockwise: two rows of houses back to back.
@@ -94,9 +94,19 @@ void draw_dead_end(Site& site, std::size_t face, const std::vector<Side>& sides,
 void draw_way(Site& site, std::vector<NodeId> nodes, Tags tags);
 void draw_footway(Site& site, std::vector<NodeId> nodes, Tags more = {});
 
+// outskirts.cpp
+/// The end of the town's streets farthest in a direction.
+struct Outlet {
+  NodeId node = 0;
+  Vec at;
+};
+Outlet outlet_of(const Site& site, Vec direction);
+/// A country road between two towns.
+void draw_country_road(Site& site, const Outlet& from, const Outlet& to);
+
 // scenes.cpp
-/// The hard geometry the features ask for, east of `from`; each scene joined by a road.
-void build_scenes(Site& site, Vec from);
+/// The hard geometry that the features ask for, along a road that leaves the town to the east.
+void build_scenes(Site& site);
 
 std::string number_text(double value);
 

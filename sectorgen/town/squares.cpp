@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "sectorgen/town/site.hpp"
 
@@ -41,6 +42,30 @@ void furnish_market(Site& site, const Ring& ring, Vec c, Vec u, Vec v, double hx
   }
   put(site, ring, church, c - v * (hy * 0.1) + u * (hx * 0.8), {{"amenity", "waste_basket"}});
   put(site, ring, church, c - v * (hy * 0.05) - u * (hx * 0.8), {{"amenity", "clock"}, {"support", "pole"}});
+}
+
+/// The roomiest place of a square for a few houses that stand free on it.
+std::optional<Ring> room_for_island(const Ring& square, Vec along) {
+  Vec low = square[0], high = square[0];
+  for (const Vec p : square) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  constexpr int kGrid = 24;
+  Vec best = low;
+  double clearance = 0;
+  for (int i = 1; i < kGrid; ++i)
+    for (int j = 1; j < kGrid; ++j) {
+      const Vec p{low.x + (high.x - low.x) * i / kGrid, low.y + (high.y - low.y) * j / kGrid};
+      const double c = contains(square, p) ? distance_to_ring(p, square) : 0;
+      if (c > clearance) clearance = c, best = p;
+    }
+  for (double size = 9; size > 6; size -= 0.5) {
+    const Ring island = rectangle(best, along, size, size * 0.88);
+    if (std::all_of(island.begin(), island.end(), [&](Vec p) { return contains_with_margin(square, p, 3); }))
+      return island;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -127,13 +152,12 @@ void build_second_square(Site& site, std::size_t face) {
   for (std::size_t i = 0; i < 4; ++i) block_sides.push_back({{block[i], block[(i + 1) % 4]}, first.line, true, 0, 60});
   if (!build_rows(site, block_sides, Edge::kNoFace)) build_island(site, block, first.line);
   add_square(site, square, "Kohlmarkt");
-  const Vec far = square[square.size() / 2], inner = mix(elbow, far, 0.52);
-  const Vec u = unit(on_first - corner), v = left_of(u);
-  const Ring island = rectangle(inner + (u + v) * 1.0, u, 8.5, 7.5);
-  const bool fits =
-      std::all_of(island.begin(), island.end(), [&](Vec p) { return contains_with_margin(square, p, 4); });
-  if (fits) build_island(site, island, first.line);
-  const Ring keep_out = fits ? rectangle(inner + (u + v) * 1.0, u, 10, 9) : Ring{};
+  const Vec u = unit(on_first - corner), v = left_of(u), far = square[square.size() / 2];
+  Ring keep_out;
+  if (const auto island = room_for_island(square, u)) {
+    build_island(site, *island, first.line);
+    keep_out = rectangle(centroid_of(*island), u, 11, 10);
+  }
   put(site, square, keep_out, mix(on_first, far, 0.25) + v * 3, {{"natural", "tree"}});
   put(site, square, keep_out, mix(on_last, far, 0.25) + u * 3, {{"natural", "tree"}});
   put(site, square, keep_out, mix(on_last, far, 0.15) + u * 4, {{"amenity", "bench"}});

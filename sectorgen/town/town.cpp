@@ -57,7 +57,7 @@ void keep_streets(Network& n) {
   }
 }
 
-/// One town around site.origin. Returns its extent east.
+/// One town around site.origin.
 void build_site(Site& site) {
   lay_out(site);
   if (site.is_whole_town) build_river(site);
@@ -65,6 +65,29 @@ void build_site(Site& site) {
   keep_streets(site.network);
   if (site.is_whole_town) build_wall(site);
   draw_streets(site);
+}
+
+/// One town, or villages far apart. False when the ground is too small.
+bool build_villages(const TownOptions& options, double scale, Rng& rng, OsmMap& map, TownCounts& counts) {
+  Names names;
+  constexpr int kVillages = 4;
+  constexpr double kFarEast = 29'000, kFarNorth = 9'000;
+  const int villages = options.features.huge ? kVillages : 1;
+  std::optional<Site> before;
+  for (int i = 0; i < villages; ++i) {
+    Site site{map, names, counts, options.features, rng.fork(), {}, 0, scale, false, {}, 0};
+    if (villages > 1) site.origin = {kFarEast * (2.0 * i / (villages - 1) - 1), rng.between(-kFarNorth, kFarNorth)};
+    site.houses_left = options.houses * (i + 1) / villages - options.houses * i / villages;
+    build_site(site);
+    if (site.houses_left > 0) return false;
+    if (before) {
+      const Vec east = unit(site.origin - before->origin);
+      draw_country_road(site, outlet_of(*before, east), outlet_of(site, east * -1));
+    }
+    if (i + 1 == villages) build_scenes(site);
+    before.emplace(std::move(site));
+  }
+  return true;
 }
 
 }  // namespace
@@ -79,13 +102,8 @@ std::optional<Town> try_town(const TownOptions& options, double scale) {
   if (options.features.arctic) lat = 85;
   if (options.features.antimeridian) lon = 180;
   town::OsmMap map(lat, lon);
-  town::Names names;
   Town result;
-  town::Site site{map, names, result.counts, options.features, rng.fork(), {}, 0, 1, false, {}, 0};
-  site.houses_left = options.houses;
-  site.scale = scale;
-  town::build_site(site);
-  if (site.houses_left > 0) return std::nullopt;
+  if (!town::build_villages(options, scale, rng, map, result.counts)) return std::nullopt;
   result.counts.nodes = map.node_count();
   result.counts.ways = map.way_count();
   result.counts.relations = map.relation_count();
