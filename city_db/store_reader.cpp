@@ -61,7 +61,7 @@ struct CityReader::Impl {
   std::vector<Record> rows_in(const char* table, const PlanBox& box, std::size_t limit, std::size_t offset) {
     std::vector<Record> rows;
     if (box.is_empty() || limit == 0) return rows;
-    auto row = select(table, std::string("JOIN \"rtree_") + table + "_" + kGeometryColumn +
+    auto row = select(table, "JOIN \"" + rtree_name(table_named(table)) +
                                  "\" r ON t.fid = r.id WHERE r.maxx >= ?1 AND r.minx <= ?2 AND r.maxy >= ?3 AND "
                                  "r.miny <= ?4 ORDER BY t.id");
     row->bind(0, metres(box.min.x));

@@ -216,6 +216,8 @@ const Table& table_named(const std::string& name) {
   return tables().front();
 }
 
+std::string rtree_name(const Table& table) { return std::string("rtree_") + table.name + "_" + kGeometryColumn; }
+
 std::string insert_sql(const Table& table) {
   const std::size_t parameters = 1 + (table.geometry != nullptr ? 1u : 0u) + table.columns.size();
   std::string sql = std::string("INSERT INTO \"") + table.name + "\" VALUES (?";

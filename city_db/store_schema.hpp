@@ -30,6 +30,8 @@ struct Table {
 const std::vector<Table>& tables();
 const Table& table_named(const std::string& name);
 
+/// The R-tree of a layer.
+std::string rtree_name(const Table& table);
 /// INSERT with a parameter for fid, geom (layers), then each column in order.
 std::string insert_sql(const Table& table);
 /// SELECT of geom (layers) and each column in order; `tail` is what follows FROM table, e.g. "WHERE id = ?1".

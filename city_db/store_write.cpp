@@ -1,8 +1,7 @@
-#include <type_traits>
-
 #include "city_db/store.hpp"
 #include "city_db/store_file.hpp"
 #include "city_db/store_records.hpp"
+#include "city_db/store_rtree.hpp"
 #include "city_db/store_schema.hpp"
 #include "city_db/store_sqlite.hpp"
 
@@ -18,38 +17,24 @@ concept HasPlace = requires(const Record& record) {
 template <class Record>
 class TableWriter {
  public:
-  TableWriter(Database& db, const Table& table) : insert_(db.prepare(insert_sql(table))) {
-    if constexpr (HasPlace<Record>)
-      index_.emplace(db.prepare(std::string("INSERT INTO \"rtree_") + table.name + "_" + kGeometryColumn +
-                                "\" VALUES (?1, ?2, ?3, ?4, ?5)"));
-  }
+  TableWriter(Database& db, const Table& table) : insert_(db.prepare(insert_sql(table))) {}
 
   void add(const Record& record) {
     insert_.bind(0, ++count_);
     bind_record(insert_, record);
     insert_.run();
-    if constexpr (HasPlace<Record>) add_to_index(box_of_record(record));
+    if constexpr (HasPlace<Record>) {
+      const PlanBox box = box_of_record(record);
+      if (!box.is_empty()) places_.push_back({count_, box});
+    }
   }
   std::int64_t count() const { return count_; }
-  const PlanBox& extent() const { return extent_; }
+  const std::vector<RtreeEntry>& places() const { return places_; }
 
  private:
-  void add_to_index(const PlanBox& box) {
-    if (box.is_empty()) return;
-    index_->bind(0, count_);
-    index_->bind(1, metres(box.min.x));
-    index_->bind(2, metres(box.max.x));
-    index_->bind(3, metres(box.min.y));
-    index_->bind(4, metres(box.max.y));
-    index_->run();
-    extent_.add(box.min);
-    extent_.add(box.max);
-  }
-
   Statement insert_;
-  std::optional<Statement> index_;
   std::int64_t count_ = 0;
-  PlanBox extent_;
+  std::vector<RtreeEntry> places_;
 };
 
 /// What was written into each table, by its place in tables().
@@ -60,7 +45,10 @@ struct Written {
   template <class Record>
   void note(const Table& table, const TableWriter<Record>& writer) {
     const auto i = static_cast<std::size_t>(&table - tables().data());
-    extents[i] = writer.extent();
+    for (const auto& [id, box] : writer.places()) {
+      extents[i].add(box.min);
+      extents[i].add(box.max);
+    }
     counts[i] = writer.count();
   }
 };
@@ -70,6 +58,7 @@ void write_list(Database& db, const char* name, const std::vector<Record>& list,
   const Table& table = table_named(name);
   TableWriter<Record> writer(db, table);
   for (const auto& record : list) writer.add(record);
+  if constexpr (HasPlace<Record>) fill_rtree(db, rtree_name(table), writer.places());
   written.note(table, writer);
 }
 
