@@ -7,6 +7,7 @@
 ///
 ///   /                              landing page, where JSON is asked for
 ///   /conformance                   classes we claim
+///   /api                           OpenAPI 3.0 description of these paths
 ///   /collections[/NAME]            NAME: sectors, gates, houses
 ///   /collections/NAME/items        ?bbox=W,S,E,N&limit=10&offset=0; links to the next page
 ///   /collections/NAME/items/ID
@@ -16,6 +17,7 @@
 namespace vicus {
 
 HttpResponse answer_landing(const HttpRequest& request);
+HttpResponse answer_api(const HttpRequest& request);
 
 /// Needs   url.path is "/conformance", "/collections" or begins with "/collections/".
 /// Fails   CityError: the city gives no origin.

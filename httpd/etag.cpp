@@ -1,7 +1,5 @@
 #include "httpd/etag.hpp"
 
-#include <cstdint>
-
 namespace vicus {
 namespace {
 
@@ -45,15 +43,6 @@ bool names_etag(const std::optional<std::string>& if_none_match, std::string_vie
     if (at < text.size() && text[at] != ',') return false;
   }
   return found;
-}
-
-std::string quick_hash(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) text[15 - i] = kHex[hash >> (4 * i) & 15];
-  return text;
 }
 
 }  // namespace vicus

@@ -14,8 +14,4 @@ std::string etag_of(std::string_view hash, std::string_view coding);
 /// A field that is no list of entity-tags matches nothing: the client gets the bytes.
 bool names_etag(const std::optional<std::string>& if_none_match, std::string_view etag);
 
-/// Hash of bytes that no builder has hashed (pages, answers made on request): FNV-1a, 64 bits, 16 hex digits.
-/// Not for hostile content: whoever can choose the bytes can make two texts collide.
-std::string quick_hash(std::string_view bytes);
-
 }  // namespace vicus

@@ -115,6 +115,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
     city_.reader().meta("origin_lat");  // throws when the city cannot be read
     return fresh("healthz", "text/plain; charset=utf-8", "ok\n");
   }
+  if (path == "/api") return with_route("collections", answer_api(request));
   if (path == "/metrics") return fresh("metrics", "text/plain; version=0.0.4; charset=utf-8", metrics_->text());
   const auto& city = city_.reader();
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));

@@ -6,14 +6,17 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/issues.hpp"
-#include "httpd/compress.hpp"
 #include "httpd/etag.hpp"
 #include "httpd/media_types.hpp"
+#include "x3d_export/package.hpp"
 
 namespace vicus {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Made once and kept: 0.1 s for X_ITE's 1.4 MB; br 11 would save 8 % of it and take 3 s.
+constexpr int kBrotliQuality = 9, kGzipLevel = 9;
 
 std::string read_bytes(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -49,12 +52,13 @@ StaticFile::Representation StaticFile::in_coding(const std::string& coding) cons
   auto plain = made_.find("identity");
   if (plain == made_.end()) {
     auto bytes = path_.empty() ? std::string(bytes_) : read_bytes(path_);
-    hash_ = quick_hash(bytes);
+    hash_ = strong_hash(bytes);
     plain = made_.emplace("identity", Representation{etag_of(hash_, "identity"), nullptr}).first;
     plain->second.body = std::make_shared<const std::string>(std::move(bytes));
   }
   if (coding == "identity") return plain->second;
-  auto coded = std::make_shared<const std::string>(compress(*plain->second.body, coding, Effort::once));
+  auto coded = std::make_shared<const std::string>(coding == "br" ? brotli(*plain->second.body, kBrotliQuality)
+                                                                  : gzip(*plain->second.body, kGzipLevel));
   return made_.emplace(coding, Representation{etag_of(hash_, coding), std::move(coded)}).first->second;
 }
 
