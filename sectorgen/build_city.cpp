@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -55,11 +56,16 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   plan.noded = node_map(plan.blocks, plan.domain, plan.kerbs);
 
   clock.begin("sectors");
-  plan.ground = make_ground(plan.noded, GroundOptions{});
-  plan.routes = route_axes(plan.ground, map.axes, map.areas);
-  const CutOptions cuts;
-  plan.cells = cut_cells(plan.ground, plan.routes, cuts);
-  merge_cells(plan.ground, plan.routes, plan.cells);
+  GroundOptions ground;
+  for (std::vector<PlanPoint> crossed;; ground.no_islands.insert(ground.no_islands.end(), crossed.begin(), crossed.end())) {
+    std::sort(ground.no_islands.begin(), ground.no_islands.end());
+    plan.ground = make_ground(plan.noded, ground);
+    plan.routes = route_axes(plan.ground, map.axes, map.areas);
+    plan.cells = cut_cells(plan.ground, plan.routes, CutOptions{});
+    merge_cells(plan.ground, plan.routes, plan.cells);
+    crossed = crossed_islands(plan.ground, plan.cells);
+    if (crossed.empty()) break;  // else a cut runs through a small obstacle: cut again with that one in the mesh
+  }
   if (plan.cells.kind.empty()) throw CityError("no walkable ground: no street, path or square reaches any open ground", 4);
 
   clock.begin("records");

@@ -149,10 +149,21 @@ std::string strong_hash(const std::string& body) {
   return hex;
 }
 
+namespace {
+
+/// The smallest window that holds the whole file: a larger one finds nothing more and costs its allocation.
+int window_bits(std::size_t size) {
+  int bits = BROTLI_MIN_WINDOW_BITS;
+  while (bits < BROTLI_DEFAULT_WINDOW && (std::size_t{1} << bits) - 16 < size) ++bits;
+  return bits;
+}
+
+}  // namespace
+
 std::string brotli(const std::string& body, int quality) {
   std::size_t size = BrotliEncoderMaxCompressedSize(body.size());
   std::string out(size, '\0');
-  if (!BrotliEncoderCompress(quality, BROTLI_DEFAULT_WINDOW, BROTLI_MODE_TEXT, body.size(), bytes_of(body), &size,
+  if (!BrotliEncoderCompress(quality, window_bits(body.size()), BROTLI_MODE_TEXT, body.size(), bytes_of(body), &size,
                              bytes_of(out)))
     throw CityError("brotli cannot compress " + std::to_string(body.size()) + " bytes: out of memory");
   out.resize(size);

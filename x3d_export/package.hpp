@@ -11,8 +11,8 @@ namespace vicus {
 
 struct PackageOptions {
   unsigned threads = 0;    ///< 0: all cores
-  int brotli_quality = 9;  ///< 5 ... 11 for what a walk loads: near X3D, far X3D, records
-  int side_quality = 5;    ///< the same for VRML97 and X3D JSON, which few ask for
+  int brotli_quality = 6;  ///< 5 ... 11 for what a walk loads: near X3D, far X3D, records
+  int side_quality = 4;    ///< the same for VRML97 and X3D JSON, which few ask for
   int gzip_level = 6;      ///< libdeflate 1 ... 12
 };
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "city_db/city.hpp"
+#include "city_db/geometry_blob.hpp"
 #include "sectorgen/geom/predicates.hpp"
 
 /// Rings and polygons on the lattice.

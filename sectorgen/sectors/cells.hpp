@@ -33,4 +33,7 @@ Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& op
 /// one street.
 void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
 
+/// First points of the islands that some cell's boundary crosses: they must be made obstacles, and the ground cut anew.
+std::vector<PlanPoint> crossed_islands(const Ground& ground, const Cells& cells);
+
 }  // namespace vicus

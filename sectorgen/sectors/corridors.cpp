@@ -32,7 +32,7 @@ std::int64_t chord_cost(const Ground& g, std::uint32_t t, int k, bool across_isl
 }
 
 /// Follows used edges from triangle t through side k until a triangle that has not exactly two.
-Corridor follow(const Ground& g, const Routes& r, std::uint32_t t, int k, const std::vector<char>& across,
+Corridor follow(const Ground& g, const Routes& r, std::uint32_t t, int k, const std::vector<std::uint32_t>& across,
                 std::vector<char>& visited) {
   Corridor c;
   c.triangles.push_back(t);
@@ -48,7 +48,7 @@ Corridor follow(const Ground& g, const Routes& r, std::uint32_t t, int k, const 
       c.along_mm.push_back(c.along_mm.back() + midpoint_distance_mm(g, t, entry, exit));
     c.chords.push_back(id);
     c.width_mm.push_back(length_mm(g.from(t, exit), g.to(t, exit)));
-    c.cost_mm.push_back(chord_cost(g, t, exit, across[id] != 0));
+    c.cost_mm.push_back(chord_cost(g, t, exit, across[id] != kNone));
     const std::uint32_t n = g.beyond(t, exit);
     entry = g.mesh.twin_side(t, exit);
     t = n;
@@ -228,15 +228,16 @@ std::int64_t Corridor::narrowest() const {
   return width_mm.empty() ? 0 : *std::min_element(width_mm.begin(), width_mm.end());
 }
 
-std::vector<char> edges_across_islands(const Ground& g) {
-  std::vector<char> out(g.edge_ids(), 0);
+std::vector<std::uint32_t> edges_across_islands(const Ground& g) {
+  std::vector<std::uint32_t> out(g.edge_ids(), kNone);
   const Locator locator(g.mesh);
   std::vector<char> seen(g.mesh.triangles.size(), 0);
-  for (const Island& island : g.islands) {
+  for (std::uint32_t i = 0; i < g.islands.size(); ++i) {
+    const Island& island = g.islands[i];
     const auto meets = [&](PlanPoint a, PlanPoint b) {
       const Ring& ring = island.area.outer;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const PlanPoint c = ring[i], d = ring[(i + 1) % ring.size()];
+      for (std::size_t j = 0; j < ring.size(); ++j) {
+        const PlanPoint c = ring[j], d = ring[(j + 1) % ring.size()];
         if (cross_properly(a, b, c, d) || on_segment(a, b, c)) return true;
       }
       return false;
@@ -244,11 +245,11 @@ std::vector<char> edges_across_islands(const Ground& g) {
     std::vector<std::uint32_t> queue{locator.locate(island.area.outer.front())};
     if (queue.front() == kNone) continue;
     seen[queue.front()] = 1;
-    for (std::size_t i = 0; i < queue.size(); ++i)
+    for (std::size_t j = 0; j < queue.size(); ++j)
       for (int k = 0; k < 3; ++k) {
-        const std::uint32_t t = queue[i], n = g.beyond(t, k);
+        const std::uint32_t t = queue[j], n = g.beyond(t, k);
         if (n == kNone || !meets(g.from(t, k), g.to(t, k))) continue;
-        out[g.edge_id(t, k)] = 1;
+        out[g.edge_id(t, k)] = i;
         if (!seen[n]) {
           seen[n] = 1;
           queue.push_back(n);
@@ -259,7 +260,7 @@ std::vector<char> edges_across_islands(const Ground& g) {
   return out;
 }
 
-std::vector<Corridor> find_corridors(const Ground& g, const Routes& r, const std::vector<char>& across) {
+std::vector<Corridor> find_corridors(const Ground& g, const Routes& r, const std::vector<std::uint32_t>& across) {
   std::vector<Corridor> out;
   std::vector<char> visited(g.edge_ids(), 0);
   const auto start = [&](std::uint32_t t) {

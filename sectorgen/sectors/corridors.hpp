@@ -20,10 +20,11 @@ struct Corridor {
 
 inline constexpr std::int64_t kNever = std::int64_t{1} << 50;
 
-std::vector<Corridor> find_corridors(const Ground& ground, const Routes& routes, const std::vector<char>& crosses_island);
+std::vector<Corridor> find_corridors(const Ground& ground, const Routes& routes,
+                                     const std::vector<std::uint32_t>& island_across);
 
-/// Per edge id: it crosses an island, so no gate may lie there.
-std::vector<char> edges_across_islands(const Ground& ground);
+/// Per edge id: an island it crosses, so that no gate may lie there; kNone mostly.
+std::vector<std::uint32_t> edges_across_islands(const Ground& ground);
 
 struct Cuts {
   std::vector<char> is_cut;          ///< per edge id

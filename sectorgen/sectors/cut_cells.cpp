@@ -121,7 +121,8 @@ void seed_sets(const Ground& g, const Routes& r, const Cuts& cuts, Sets& sets, s
 }
 
 /// Maximum spanning forest: cells meet where the ground between them is narrowest.
-void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& options, const std::vector<char>& across,
+void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& options,
+          const std::vector<std::uint32_t>& across,
           Sets& sets, std::vector<CellKind>& kind) {
   std::vector<ForestEdge> edges;
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
@@ -132,7 +133,7 @@ void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& 
       if (r.is_used[id] && cuts.is_cut[id]) continue;
       const bool is_kerb = g.mesh.triangles[t].edge[static_cast<std::size_t>(k)] != kNone;
       const PlanPoint u = g.from(t, k), v = g.to(t, k);
-      edges.push_back({across[id] ? kNever : is_kerb ? 0 : length_mm(u, v), std::min(u, v), std::max(u, v), t, n, is_kerb});
+      edges.push_back({across[id] != kNone ? kNever : is_kerb ? 0 : length_mm(u, v), std::min(u, v), std::max(u, v), t, n, is_kerb});
     }
   std::sort(edges.begin(), edges.end());
   const auto narrow = static_cast<std::int64_t>(options.fence_m * kMmPerMetre);
@@ -246,8 +247,23 @@ void close_off(const Ground& g, const Routes& r, const CutOptions& options, Cell
 
 }  // namespace
 
+std::vector<PlanPoint> crossed_islands(const Ground& g, const Cells& cells) {
+  const std::vector<std::uint32_t> across = edges_across_islands(g);
+  std::vector<PlanPoint> out;
+  for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (!g.is_crossable(t, k)) continue;
+      const std::uint32_t island = across[g.edge_id(t, k)], n = g.beyond(t, k);
+      if (island == kNone || (cells.of[t] == cells.of[n] && cells.closed[t] == cells.closed[n])) continue;
+      out.push_back(g.islands[island].area.outer.front());
+    }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 Cells cut_cells(const Ground& g, const Routes& r, const CutOptions& options) {
-  const std::vector<char> across = edges_across_islands(g);
+  const std::vector<std::uint32_t> across = edges_across_islands(g);
   const Cuts cuts = choose_cuts(g, find_corridors(g, r, across), options);
   Sets sets(g);
   Cells cells;

@@ -63,6 +63,43 @@ std::vector<Stretch> stretches_outside(const SourceMap& map, const Raster& raste
   return out;
 }
 
+double span_m(const PlanBox& box) { return box.is_empty() ? 0 : metres(length_mm(box.min, box.max)); }
+
+/// Stretches that hang together and come back where they left (the two carriageways of a road out of the city) are no
+/// connection: they go when they reach farther than the places they join lie apart.
+void drop_excursions(const std::vector<Stretch>& all, std::vector<char>& dead) {
+  std::map<PlanPoint, std::vector<std::size_t>> at;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!dead[i])
+      for (int end = 0; end < 2; ++end)
+        if (!all[i].anchored[end]) at[end == 0 ? all[i].line.front() : all[i].line.back()].push_back(i);
+  std::vector<char> seen(all.size(), 0);
+  for (std::size_t seed = 0; seed < all.size(); ++seed) {
+    if (dead[seed] || seen[seed]) continue;
+    std::vector<std::size_t> group{seed};
+    seen[seed] = 1;
+    PlanBox anchors, whole;
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      const Stretch& s = all[group[j]];
+      for (PlanPoint p : s.line) whole.add(p);
+      for (int end = 0; end < 2; ++end) {
+        const PlanPoint p = end == 0 ? s.line.front() : s.line.back();
+        if (s.anchored[end]) {
+          anchors.add(p);
+          continue;
+        }
+        for (std::size_t other : at[p])
+          if (!seen[other]) {
+            seen[other] = 1;
+            group.push_back(other);
+          }
+      }
+    }
+    if (span_m(whole) > 1.5 * span_m(anchors) + 30)
+      for (std::size_t i : group) dead[i] = 1;
+  }
+}
+
 /// Drops what leads nowhere until every end is anchored or meets another stretch.
 std::vector<Stroke> connecting(std::vector<Stretch> all) {
   std::map<PlanPoint, int> degree;
@@ -84,6 +121,7 @@ std::vector<Stroke> connecting(std::vector<Stretch> all) {
       if (!s.anchored[1]) --degree[s.line.back()];
     }
   }
+  drop_excursions(all, dead);
   std::vector<Stroke> strokes;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!dead[i]) strokes.push_back({simplify(all[i].line, 0.5), all[i].half_width});

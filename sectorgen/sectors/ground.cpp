@@ -163,7 +163,8 @@ PlanPoint point_along(PlanPoint a, PlanPoint b, std::int64_t numerator, std::int
   return {part(a.x, b.x), part(a.y, b.y)};
 }
 
-/// f is on ab, or so near that the bent edge a-f-b stays in the empty triangle abx on f's side.
+/// f is on ab, or inside the triangle of ab and the centroid of the empty triangle on f's side. Those triangles are
+/// convex and disjoint for all edges, so no bent edges meet however many bends they get.
 bool keeps_clear(const Mesh& mesh, std::uint32_t t, int k, PlanPoint a, PlanPoint b, PlanPoint f) {
   const std::int64_t side = orient(a, b, f);
   if (side == 0) return dot(f, a, b) < 0;
@@ -178,8 +179,7 @@ bool keeps_clear(const Mesh& mesh, std::uint32_t t, int k, PlanPoint a, PlanPoin
   }
   const PlanPoint p = mesh.points[mesh.corner(host, edge)], q = mesh.points[mesh.corner(host, edge + 1)],
                   r = mesh.points[mesh.corner(host, edge + 2)];
-  if (orient(p, q, f) <= 0 || orient(r, p, f) <= 0) return false;
-  return 4 * std::abs(side) < std::abs(orient(a, b, p));
+  return std::abs(side) < orient(p, q, f) && std::abs(side) < orient(r, p, f);
 }
 
 /// The accepted candidates of edge k of free triangle t, in order from its smaller end.
@@ -337,8 +337,15 @@ Ground make_ground(const std::vector<NodedPart>& map, const GroundOptions& optio
     std::vector<std::vector<std::uint32_t>> members(islands);
     for (std::uint32_t t = 0; t < island.size(); ++t)
       if (island[t] != kNone) members[island[t]].push_back(t);
-    for (std::uint32_t i = 0; i < islands; ++i)
-      for (auto& p : outline(first, members[i], island, i)) ground.islands.push_back({std::move(p), beyond_of(cover[members[i].front()])});
+    for (std::uint32_t i = 0; i < islands; ++i) {
+      auto polygons = outline(first, members[i], island, i);
+      const bool is_kept = polygons.size() == 1 && !std::binary_search(options.no_islands.begin(), options.no_islands.end(),
+                                                                       polygons[0].outer.front());
+      if (is_kept)
+        ground.islands.push_back({std::move(polygons[0]), beyond_of(cover[members[i].front()])});
+      else
+        for (std::uint32_t t : members[i]) island[t] = kNone;
+    }
     std::vector<std::uint32_t> city(first.triangles.size(), kNone), all;
     for (std::uint32_t t = 0; t < city.size(); ++t)
       if (cover[t][kDomain] > 0) {

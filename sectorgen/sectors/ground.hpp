@@ -52,6 +52,7 @@ struct Ground {
 
 struct GroundOptions {
   double island_m2 = 60;      ///< smaller free-standing obstacles become islands
+  std::vector<PlanPoint> no_islands;  ///< sorted: small obstacles with this first point stay in the mesh
   double piece_m = 6;         ///< facades get a candidate vertex at least this often
 };
 
