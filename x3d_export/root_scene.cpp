@@ -20,6 +20,9 @@ constexpr double kAvatar_m[] = {0.25, 1.7, 0.4};  // radius, eye, step
 constexpr double kWalk_m_per_s = 1.6;
 constexpr double kTallest_m = 16;  // at least the backdrops at the city's ends
 
+/// A house without a facade to walk along is sent by a sector near by, rarely so far from it.
+constexpr double kReach_m = 150;
+
 using Ids = std::set<std::string>;
 
 /// Sectors behind the gates of `id`.
@@ -65,7 +68,9 @@ void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
   PlanBox box = box_of(sector.ground);
   double top_m = kTallest_m;
   // Facades on this ground's edge may belong to houses whose roofs other sectors send: they count for the height only.
-  for (const auto& house : source.houses_in(box_of(sector.ground))) {
+  const std::int32_t reach = lattice_mm(kReach_m);
+  const PlanBox around{{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
+  for (const auto& house : source.houses_in(around)) {
     top_m = std::max(top_m, house.height_m);
     if (house.sector_id == sector.id)
       for (const auto& p : house.footprint.outer) box.add(p);

@@ -1,0 +1,252 @@
+#include "x3d_export/sector_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/sample_city.hpp"
+#include "tests/support/x3d_text.hpp"
+
+namespace vicus {
+namespace {
+
+using test::attributes_in;
+using test::faces_in;
+using test::ReadFace;
+using test::ReadPoint;
+
+struct Sample {
+  City city = test::sample_city();
+  CityIndex index{city};
+  std::vector<ExportFile> near(const std::string& id, std::size_t limit = kFileLimit_bytes) const {
+    return sector_files(index, *index.sector(id), Detail::near, SceneFormat::x3d, limit);
+  }
+};
+
+/// The lattice point that a coordinate as read stands for, and how far it is from it.
+PlanPoint plan_of(const ReadPoint& p, PlanPoint origin, double& error_mm) {
+  const X3dPoint nearest{lattice_mm(p.x), lattice_mm(p.y), lattice_mm(p.z)};
+  error_mm = std::max(
+      {std::abs(p.x * 1000.0 - nearest.x), std::abs(p.y * 1000.0 - nearest.y), std::abs(p.z * 1000.0 - nearest.z)});
+  return plan_from_x3d(nearest, origin);
+}
+
+bool is_inside(const Ring& ring, double x, double y) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if ((ring[i].y > y) != (ring[j].y > y) &&
+        x < ring[i].x + (y - ring[i].y) * (double(ring[j].x) - ring[i].x) / (double(ring[j].y) - ring[i].y))
+      inside = !inside;
+  return inside;
+}
+
+bool is_inside(const Polygon& polygon, double x, double y) {
+  return is_inside(polygon.outer, x, y) &&
+         std::none_of(polygon.holes.begin(), polygon.holes.end(), [&](const Ring& r) { return is_inside(r, x, y); });
+}
+
+/// Is there a house at this plan point (mm) and height (mm)?
+bool is_in_house(const City& city, double x, double y, double up) {
+  return std::any_of(city.buildings.begin(), city.buildings.end(), [&](const Building& b) {
+    return up > b.base_m * 1000 && up < prism_top_m(b) * 1000 && is_inside(b.footprint, x, y);
+  });
+}
+
+TEST(SectorFiles, GiveEveryVertexBackAsTheLatticeHasIt) {
+  const Sample sample;
+  std::set<PlanPoint> ground, houses;
+  for (const auto& s : sample.city.sectors) {
+    ground.insert(s.ground.outer.begin(), s.ground.outer.end());
+    for (const auto& hole : s.ground.holes) ground.insert(hole.begin(), hole.end());
+  }
+  for (const auto& b : sample.city.buildings) {
+    houses.insert(b.footprint.outer.begin(), b.footprint.outer.end());
+    for (const auto& hole : b.footprint.holes) houses.insert(hole.begin(), hole.end());
+  }
+  std::size_t tested = 0;
+  for (const auto& s : sample.city.sectors)
+    for (const auto& face : faces_in(sample.near(s.id).front().text)) {
+      if (face.shape != "GROUND" && face.shape != "HOUSES") continue;
+      for (const auto& corner : face.corners) {
+        double error_mm = 0;
+        const PlanPoint p = plan_of(corner, s.origin, error_mm);
+        EXPECT_LE(error_mm, 0.5);
+        // A facade ends where its sector's ground does, which need not be a corner of the house.
+        EXPECT_TRUE(ground.contains(p) || (face.shape == "HOUSES" && houses.contains(p))) << s.id << p.x << " " << p.y;
+        ++tested;
+      }
+    }
+  EXPECT_GT(tested, 200u);
+}
+
+TEST(SectorFiles, ShowHousesFromOutside) {
+  const Sample sample;
+  std::size_t walls = 0, roofs = 0;
+  for (const auto& s : sample.city.sectors)
+    for (const auto& face : faces_in(sample.near(s.id).front().text)) {
+      if (face.shape != "HOUSES") continue;
+      double x = 0, y = 0, low = 1e9, high = 0;
+      for (const auto& c : face.corners) {
+        const double n = static_cast<double>(face.corners.size());
+        x += (s.origin.x + c.x * 1000.0) / n;
+        y += (s.origin.y - c.z * 1000.0) / n;
+        low = std::min(low, c.y * 1000.0);
+        high = std::max(high, c.y * 1000.0);
+      }
+      const auto& [nx, ny, nz] = face.normal;
+      const auto is_house_at = [&](double side, double up) {
+        return is_in_house(sample.city, x + side * nx, y - side * nz, up + side * ny);
+      };
+      // A wall may be hidden in part: where a house hangs over a passage, or below a neighbour's roof.
+      EXPECT_FALSE(is_house_at(10, low + 10) && is_house_at(10, high - 10)) << s.id << " in front";
+      EXPECT_TRUE(is_house_at(-10, low < high ? high - 10 : high)) << s.id << " behind";
+      (std::abs(ny) < 0.5 ? walls : roofs)++;
+    }
+  EXPECT_GT(walls, 40u);
+  EXPECT_GT(roofs, 20u);
+}
+
+TEST(SectorFiles, ShowTheGroundFromAbove) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors)
+    for (const auto& face : faces_in(sample.near(s.id).front().text))
+      if (face.shape == "GROUND") {
+        EXPECT_NEAR(face.normal[1], 1, 1e-6) << s.id;
+      }
+}
+
+TEST(SectorFiles, CloseTheCityAgainstItsEnds) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors) {
+    const bool has_end = std::any_of(sample.city.gates.begin(), sample.city.gates.end(),
+                                     [&](const Gate& g) { return g.sector_id == s.id && g.to_sector_id.empty(); });
+    std::size_t backdrops = 0;
+    for (const auto& face : faces_in(sample.near(s.id).front().text)) {
+      if (face.shape != "BACKDROP") continue;
+      ++backdrops;
+      const auto& c = face.corners;
+      const double x = s.origin.x + (c[0].x + c[1].x) * 500.0, y = s.origin.y - (c[0].z + c[1].z) * 500.0;
+      EXPECT_TRUE(is_inside(s.ground, x + 10 * face.normal[0], y - 10 * face.normal[2])) << "seen from the sector";
+    }
+    EXPECT_EQ(backdrops > 0, has_end) << s.id;
+  }
+}
+
+TEST(SectorFiles, HaveFewShapes) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors) {
+    const auto file = sample.near(s.id).front();
+    EXPECT_LE(file.shapes, 6);
+    EXPECT_EQ(attributes_in(file.text, "Shape", "DEF").size(), static_cast<std::size_t>(file.shapes));
+    const auto far = sector_files(sample.index, s, Detail::far, SceneFormat::x3d);
+    ASSERT_EQ(far.size(), 1u);
+    EXPECT_EQ(far.front().shapes, 1);
+    EXPECT_LT(far.front().text.size(), file.text.size());
+  }
+}
+
+using FaceKey = std::vector<std::array<float, 3>>;
+
+std::multiset<FaceKey> keys_of(const std::vector<ExportFile>& files) {
+  std::multiset<FaceKey> keys;
+  for (const auto& file : files)
+    for (const auto& face : faces_in(file.text)) {
+      FaceKey key;
+      for (const auto& c : face.corners) key.push_back({c.x, c.y, c.z});
+      keys.insert(key);
+    }
+  return keys;
+}
+
+TEST(SectorFiles, AreSplitWhereTheyAreTooLargeAndLoseNothing) {
+  const Sample sample;
+  const auto whole = sample.near("s-main-e"), split = sample.near("s-main-e", 3500);
+  ASSERT_EQ(whole.size(), 1u);
+  ASSERT_GT(split.size(), 2u);
+  std::vector<std::string> urls;
+  int shapes = 0;
+  for (std::size_t i = 1; i < split.size(); ++i) {
+    EXPECT_LE(split[i].text.size(), 3500u);
+    EXPECT_EQ(split[i].path, "sectors/s-main-e." + std::to_string(i) + ".x3d");
+    urls.push_back("\"s-main-e." + std::to_string(i) + ".x3d\"");
+    shapes += split[i].shapes;
+  }
+  EXPECT_EQ(attributes_in(split.front().text, "Inline", "url"), urls);
+  EXPECT_EQ(keys_of(split), keys_of(whole));
+  const auto counts = attributes_in(split.front().text, "MetadataInteger", "value");
+  EXPECT_EQ(counts.front(), std::to_string(shapes)) << "the record counts the Shapes of all parts";
+}
+
+/// The record inside a sector's X3D JSON, in the form of ID.json.
+nlohmann::json record_in(const nlohmann::json& set) {
+  nlohmann::json record = nlohmann::json::object();
+  for (const auto& item : set.at("-value")) {
+    const auto& [type, node] = *item.items().begin();
+    const std::string name = node.at("@name");
+    if (type == "MetadataSet")
+      record[name].push_back(record_in(node));
+    else
+      record[name] = node.at("@value");
+  }
+  return record;
+}
+
+TEST(SectorFiles, CarryTheSameRecordAsTheJsonFile) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors) {
+    const auto file = sector_files(sample.index, s, Detail::near, SceneFormat::x3dj).front();
+    const auto json = nlohmann::json::parse(record_json(sector_record(source_of(sample.index), s, file.shapes)));
+    const auto scene = nlohmann::json::parse(file.text);
+    const auto carried = record_in(scene["X3D"]["Scene"]["-children"][0]["WorldInfo"]["-metadata"]["MetadataSet"]);
+    EXPECT_EQ(carried["id"][0], json["id"]);
+    EXPECT_EQ(carried["kind"][0], json["kind"]);
+    EXPECT_EQ(carried.value("name", nlohmann::json{""})[0], json["name"]);
+    EXPECT_EQ(carried.value("names", nlohmann::json::array()), json["names"]);
+    EXPECT_EQ(carried["origin"], json["origin"]);
+    EXPECT_EQ(carried["box"], json["box"]);
+    EXPECT_EQ(carried["shapes"][0], json["shapes"]);
+    EXPECT_EQ(carried["visible"], json["visible"]);
+    ASSERT_EQ(carried["gate"].size(), json["gates"].size());
+    for (std::size_t i = 0; i < json["gates"].size(); ++i) {
+      EXPECT_EQ(carried["gate"][i].contains("to"), !json["gates"][i]["to"].is_null());
+      EXPECT_EQ(carried["gate"][i]["line"].size(), 2 * json["gates"][i]["line"].size());
+    }
+    ASSERT_EQ(carried["neighbour"].size(), json["neighbours"].size());
+    std::size_t points = 0;
+    for (const auto& ring : json["ground"]) points += ring.size();
+    EXPECT_EQ(carried["ground"].size(), 2 * points);
+  }
+}
+
+TEST(SectorFiles, HoldTheRecordInAnAnchorInVrml97) {
+  const Sample sample;
+  const auto text =
+      sector_files(sample.index, *sample.index.sector("s-cross"), Detail::near, SceneFormat::vrml).front().text;
+  EXPECT_NE(text.find("description \"vicus record\""), std::string::npos);
+  const std::string key = "parameter [ \"";
+  std::string json;
+  for (std::size_t i = text.find(key) + key.size(); text[i] != '"'; ++i) json += text[i] == '\\' ? text[++i] : text[i];
+  EXPECT_EQ(nlohmann::json::parse(json).at("name"), test::kAwkwardName);
+}
+
+TEST(SectorRecord, NamesGateNeighboursWhereNothingIsKnownToBeVisible) {
+  Sample sample;
+  sample.city.visible.clear();
+  const CityIndex index(sample.city);
+  const auto record = sector_record(source_of(index), *index.sector("s-passage"), 1);
+  EXPECT_EQ(record.visible, (std::vector<std::string>{"s-main-e", "s-passage", "s-yard"}));
+  ASSERT_EQ(record.neighbours.size(), 2u);
+  EXPECT_EQ(record.neighbours[0].id, "s-main-e");
+  EXPECT_EQ(record.neighbours[0].origin, index.sector("s-main-e")->origin);
+}
+
+TEST(SectorFiles, AreTheSameEachTime) {
+  const Sample a, b;
+  for (const auto& s : a.city.sectors) EXPECT_EQ(a.near(s.id).front().text, b.near(s.id).front().text);
+}
+
+}  // namespace
+}  // namespace vicus
