@@ -115,7 +115,8 @@ std::optional<Town> try_town(const TownOptions& options, double scale) {
 
 Town make_town(const TownOptions& options) {
   assert(options.houses >= kMinHouses && options.houses <= kMaxHouses);
-  double scale = options.features.detached ? 1.7 : 1;
+  constexpr int kLarge = 1000;  // from here on the outskirts thin out: measured
+  double scale = options.features.detached ? 1.7 : options.houses >= kLarge ? 1.12 : 1;
   for (;; scale *= 1.12)
     if (auto town = try_town(options, scale)) return std::move(*town);
 }
