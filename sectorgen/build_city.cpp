@@ -56,16 +56,21 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   plan.noded = node_map(plan.blocks, plan.domain, plan.kerbs);
 
   clock.begin("sectors");
+  const auto limit = static_cast<std::uint32_t>(options.budget_bytes / kBytesPerSide);
   GroundOptions ground;
-  for (std::vector<PlanPoint> crossed;; ground.no_islands.insert(ground.no_islands.end(), crossed.begin(), crossed.end())) {
+  for (std::vector<PlanPoint> needed;; ground.no_islands.insert(ground.no_islands.end(), needed.begin(), needed.end())) {
     std::sort(ground.no_islands.begin(), ground.no_islands.end());
     plan.ground = make_ground(plan.noded, ground);
     plan.routes = route_axes(plan.ground, map.axes, map.areas);
     plan.cells = cut_cells(plan.ground, plan.routes, CutOptions{});
     merge_cells(plan.ground, plan.routes, plan.cells);
-    crossed = crossed_islands(plan.ground, plan.cells);
-    if (crossed.empty()) break;  // else a cut runs through a small obstacle: cut again with that one in the mesh
+    // A cut through a small obstacle, or a sector too heavy to leave whole: cut again with those obstacles in the mesh.
+    needed = crossed_islands(plan.ground, plan.cells);
+    const auto heavy = islands_in_heavy_cells(plan.ground, plan.cells, limit);
+    needed.insert(needed.end(), heavy.begin(), heavy.end());
+    if (needed.empty()) break;
   }
+  split_heavy_cells(plan.ground, plan.cells, limit);
   if (plan.cells.kind.empty()) throw CityError("no walkable ground: no street, path or square reaches any open ground", 4);
 
   clock.begin("records");

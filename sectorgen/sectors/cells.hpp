@@ -22,7 +22,7 @@ struct Cells {
 
 struct CutOptions {
   double piece_m = 120;       ///< long streets are cut into pieces about this long
-  double fence_m = 2.0;       ///< ground behind gaps narrower than this is closed off
+  double fence_m = 0.9;       ///< ground behind gaps narrower than this is closed off
 };
 
 /// Street and junction cells from the used edges, yards behind them.
@@ -32,6 +32,14 @@ Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& op
 /// Joins what a person would not have cut: small crossroads with one of their streets, wedges, slivers, short pieces of
 /// one street.
 void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
+
+/// A sector's bytes grow with the sides of its ground: about kBytesPerSide each (docs/figures.md), with the house behind.
+inline constexpr std::uint64_t kBytesPerSide = 45;
+
+/// Cells with more sides than the limit are halved until none has: rule 6 of DESIGN §3. Their small obstacles must be in
+/// the mesh first: the first function names those that are not.
+std::vector<PlanPoint> islands_in_heavy_cells(const Ground& ground, const Cells& cells, std::uint32_t limit);
+void split_heavy_cells(const Ground& ground, Cells& cells, std::uint32_t limit);
 
 /// First points of the islands that some cell's boundary crosses: they must be made obstacles, and the ground cut anew.
 std::vector<PlanPoint> crossed_islands(const Ground& ground, const Cells& cells);

@@ -165,6 +165,7 @@ std::vector<Polygon> make_domain(const SourceMap& map, const Blocks& blocks) {
 
 namespace {
 
+constexpr double kOpenRadius = 8;   // m
 constexpr double kKerbRun = 20;      // m: shorter open sides get no kerb
 constexpr double kKerbSpacing = 12;  // m between its vertices: where a cut may begin
 constexpr double kKerbJoin = 6;      // m: carriageways nearer than twice this share one strip
@@ -182,12 +183,19 @@ Line densified(const Ring& ring) {
   return out;
 }
 
+/// The point `m` metres to the right of the direction from a to b, at p.
+PlanPoint right_of(PlanPoint a, PlanPoint b, PlanPoint p, double m) {
+  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, length = std::sqrt(dx * dx + dy * dy);
+  if (length == 0) return p;
+  return {p.x + lattice_mm(m * dy / length), p.y - lattice_mm(m * dx / length)};
+}
+
 /// Runs of the closed line whose points pass the test, if longer than kKerbRun.
 template <class Test>
 void add_runs(const Line& closed, Test test, std::vector<Line>& out) {
   const std::size_t n = closed.size();
   std::size_t start = 0;
-  while (start < n && test(closed[start])) ++start;
+  while (start < n && test(start)) ++start;
   if (start == n) {
     Line whole = closed;
     whole.push_back(closed.front());
@@ -198,7 +206,7 @@ void add_runs(const Line& closed, Test test, std::vector<Line>& out) {
   double length = 0;
   for (std::size_t k = 1; k <= n; ++k) {
     const PlanPoint p = closed[(start + k) % n];
-    if (test(p)) {
+    if (test((start + k) % n)) {
       if (!run.empty()) length += metres(length_mm(run.back(), p));
       run.push_back(p);
       continue;
@@ -245,7 +253,8 @@ std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const s
                            static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * j / n)};
         };
         const PlanPoint p = at(k), q = at(k + 1);
-        if (std::max(clear_at(p), clear_at(q)) < half + 2 * kCell) {
+        const double beside = half + kOpenSide * 2 / 3;
+        if (clear_at(right_of(a, b, p, beside)) < kOpenRadius && clear_at(right_of(a, b, p, -beside)) < kOpenRadius) {
           flush();
           continue;
         }
@@ -256,13 +265,20 @@ std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const s
     flush();
   }
   for (const auto& strip : close_gaps(stroke_outlines(open, Cap::round), kKerbJoin)) {
-    const auto is_open = [&](PlanPoint p) { return clear_at(p) >= kOpenSide; };
     const auto ring = [&](const Ring& r) {
       Line closed = r;
       closed.push_back(r.front());
       closed = simplify(closed, 0.3);
       closed.pop_back();
-      if (closed.size() >= 3) add_runs(densified(closed), is_open, kerbs);
+      if (closed.size() < 3) return;
+      closed = densified(closed);
+      // Two discs side by side away from the street must be free of obstacles.
+      const auto is_open = [&](std::size_t i) {
+        const PlanPoint p = closed[i], a = closed[(i + closed.size() - 1) % closed.size()], b = closed[(i + 1) % closed.size()];
+        return clear_at(p) >= kOpenRadius / 2 && clear_at(right_of(a, b, p, kOpenSide * 2 / 3)) >= kOpenRadius &&
+               clear_at(right_of(a, b, p, kOpenSide * 4 / 3)) >= kOpenRadius;
+      };
+      add_runs(closed, is_open, kerbs);
     };
     ring(strip.outer);
     for (const auto& hole : strip.holes) ring(hole);

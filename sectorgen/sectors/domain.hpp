@@ -21,7 +21,7 @@ std::vector<std::vector<PlanPoint>> make_kerbs(const SourceMap& map, const Block
                                                const std::vector<Polygon>& domain);
 
 inline constexpr double kCityGrow = 45, kCityShrink = 28;  // m
-/// A street's side is open where the nearest obstacle is farther from the kerb than this.
+/// A street's side is open where the ground beside the kerb is free of obstacles to about twice this depth.
 inline constexpr double kOpenSide = 15;  // m
 
 }  // namespace vicus

@@ -100,7 +100,7 @@ std::vector<Cover> flood(const Mesh& mesh, const std::vector<LayerEdge>& edges) 
 
 bool is_free(const Cover& c) { return c[kDomain] > 0 && c[kHouse] <= 0 && c[kWall] <= 0 && c[kWater] <= 0; }
 Beyond beyond_of(const Cover& c) {
-  return c[kDomain] <= 0 ? Beyond::city_edge : c[kHouse] > 0 ? Beyond::house : c[kWall] > 0 ? Beyond::wall : Beyond::water;
+  return c[kHouse] > 0 ? Beyond::house : c[kWall] > 0 ? Beyond::wall : c[kWater] > 0 ? Beyond::water : Beyond::city_edge;
 }
 
 /// Components of blocked triangles inside the city that are small and touch no other: island number per triangle.

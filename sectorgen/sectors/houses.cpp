@@ -6,7 +6,6 @@
 
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
-#include "sectorgen/sectors/locator.hpp"
 
 namespace vicus {
 
@@ -30,14 +29,6 @@ void Facades::visit(PlanPoint a, PlanPoint b, Visit visit) const {
   for (auto it = std::lower_bound(sides_.begin(), sides_.end(), Side{a, b, 0}, less);
        it != sides_.end() && it->a == a && it->b == b; ++it)
     visit(it->house);
-}
-
-void locate_islands(const Ground& g, const std::vector<std::uint32_t>& region, std::vector<std::vector<std::uint32_t>>& islands) {
-  const Locator locator(g.mesh);
-  for (std::uint32_t i = 0; i < g.islands.size(); ++i) {
-    const std::uint32_t t = locator.locate(g.islands[i].area.outer.front());
-    if (t != kNone && region[t] != kNone) islands[region[t]].push_back(i);
-  }
 }
 
 namespace {

@@ -29,10 +29,6 @@ class Facades {
   friend struct HouseWriter;
 };
 
-/// Islands by the region they lie in.
-void locate_islands(const Ground& ground, const std::vector<std::uint32_t>& region,
-                    std::vector<std::vector<std::uint32_t>>& islands);
-
 /// Appends the buildings; turns Border::building_id from house numbers into building ids; chooses each building's sector.
 void write_houses(const SourceMap& map, const Plan& plan, const Bends& bends, const Facades& facades,
                   const std::vector<std::pair<PlanPoint, PlanPoint>>& closed_edges, City& city);

@@ -11,6 +11,7 @@ namespace {
 // Thresholds of research/SECTORS.md §4.8, set by eye there.
 constexpr double kOwnCrossroadsM2 = 900, kOwnCrossroadsSpan = 55;  // m2, m
 constexpr double kLengthAim = 162;                                  // m
+constexpr double kYardFront = 0.4;  // of the smaller yard's span
 constexpr double kSliverM2 = 80, kSliverSpan = 12;
 constexpr double kJoinSpan = 120, kJoinConvexity = 0.72;            // pieces of one street
 
@@ -116,6 +117,22 @@ class Merger {
         if (diameter_m(hull) > kJoinSpan) continue;
         const double joint = (a.area + b.area) / Cell::hull_area(hull);
         if (joint > best_convexity) best = d, best_convexity = joint;
+      }
+      return best;
+    });
+  }
+
+  /// Yards that meet along a wide front are one yard.
+  void join_yards() {
+    for_smallest([&](std::uint32_t c) {
+      const Cell& b = cell_[c];
+      if (b.kind != CellKind::yard) return kNone;
+      std::uint32_t best = kNone;
+      double widest = kYardFront * b.span();
+      for (const auto& [d, border] : b.to) {
+        if (cell_[d].kind != CellKind::yard || metres(border.mm) <= widest) continue;
+        best = d;
+        widest = metres(border.mm);
       }
       return best;
     });
@@ -244,6 +261,7 @@ void merge_cells(const Ground& g, const Routes& r, Cells& cells) {
   Merger merger(g, r, cells);
   merger.absorb_crossroads();
   merger.open_wedges();
+  merger.join_yards();
   merger.absorb_slivers();
   merger.join_pieces();
   merger.write_back();

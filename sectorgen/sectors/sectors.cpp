@@ -121,7 +121,13 @@ class Writer {
     };
     std::size_t start = 0;
     while (start < n && !breaks_after(start)) ++start;
-    start = (start + 1) % n;  // begins after a break, or anywhere when there is none
+    if (start < n) {
+      start = (start + 1) % n;
+    } else {  // a closed line: it begins at its smallest point, as its twin does
+      start = 0;
+      for (std::size_t i = 1; i < n; ++i)
+        if (walk[i].a < walk[start].a) start = i;
+    }
     std::vector<PlanPoint> line;
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t i = (start + j) % n;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sectorgen/sectors/locator.hpp"
+
 namespace vicus {
 namespace {
 
@@ -79,6 +81,14 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
     }
   }
   return out;
+}
+
+void locate_islands(const Ground& g, const std::vector<std::uint32_t>& region, std::vector<std::vector<std::uint32_t>>& islands) {
+  const Locator locator(g.mesh);
+  for (std::uint32_t i = 0; i < g.islands.size(); ++i) {
+    const std::uint32_t t = locator.locate(g.islands[i].area.outer.front());
+    if (t != kNone && region[t] != kNone) islands[region[t]].push_back(i);
+  }
 }
 
 Ring ring_of(const BoundaryWalk& walk) {

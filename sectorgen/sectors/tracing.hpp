@@ -32,6 +32,10 @@ Boundaries trace_regions(const Ground& ground, const std::vector<std::uint32_t>&
 /// The piece's twin is the next piece's twin's successor: both lie on one line between the same two regions.
 bool continues(const Ground& ground, const std::vector<std::uint32_t>& region, const BoundaryPiece& a, const BoundaryPiece& b);
 
+/// Islands by the region they lie in.
+void locate_islands(const Ground& ground, const std::vector<std::uint32_t>& region,
+                    std::vector<std::vector<std::uint32_t>>& islands);
+
 /// Points of a walk.
 Ring ring_of(const BoundaryWalk& walk);
 
