@@ -8,9 +8,6 @@
 namespace vicus {
 namespace {
 
-/// Streets are narrow: much of the light on a facade comes from the sky and the houses opposite.
-constexpr double kAmbient = 0.4;
-
 double unit(std::uint8_t channel) { return channel / 255.0; }
 std::vector<double> values_of(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
 
@@ -32,7 +29,8 @@ class Numbering {
 
 Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
   Node material("Material");
-  if (surface != Surface::backdrop) material.set("ambientIntensity", kAmbient);
+  // Browsers differ in what ambient light does with colours by face; three lights of the root world do without it.
+  material.set("ambientIntensity", 0.0);
   if (surface == Surface::backdrop)
     material.set("diffuseColor", std::vector<double>{0, 0, 0}).set("emissiveColor", values_of(colour));
   else

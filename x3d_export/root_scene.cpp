@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "x3d_export/colours.hpp"
@@ -119,7 +121,8 @@ std::vector<double> colours(std::initializer_list<Colour> list) {
 
 /// Sky, light and the way a visitor moves.
 std::vector<Node> surroundings() {
-  Node navigation("NavigationInfo"), sky("Background"), sun("DirectionalLight"), fill("DirectionalLight");
+  Node navigation("NavigationInfo"), sky("Background"), sun("DirectionalLight"), sky_light("DirectionalLight"),
+      street_light("DirectionalLight");
   navigation.set("avatarSize", std::vector<double>(std::begin(kAvatar_m), std::end(kAvatar_m)));
   navigation.set("headlight", false).set("speed", kWalk_m_per_s);
   navigation.set("type", std::vector<std::string>{"WALK", "ANY"});
@@ -127,9 +130,11 @@ std::vector<Node> surroundings() {
       .set("skyColor", colours({{92, 141, 196}, {150, 186, 220}, kSkyColour}));
   sky.set("groundAngle", std::vector<double>{1.3, 1.57});
   sky.set("groundColor", colours({{120, 118, 112}, {150, 150, 146}, kSkyColour}));
-  sun.set("direction", std::vector<double>{0.5, -0.75, -0.4}).set("intensity", 0.9).set("ambientIntensity", 0.7);
-  fill.set("direction", std::vector<double>{-0.6, -0.35, 0.7}).set("intensity", 0.4).set("ambientIntensity", 0.4);
-  return {navigation, sky, sun, fill};
+  // A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
+  sun.set("direction", std::vector<double>{0.5, -0.75, -0.4}).set("intensity", 0.8);
+  sky_light.set("direction", std::vector<double>{0.12, -0.35, 0.75}).set("intensity", 0.55);
+  street_light.set("direction", std::vector<double>{-0.7, 0.3, -0.27}).set("intensity", 0.5);
+  return {navigation, sky, sun, sky_light, street_light};
 }
 
 ScriptField field(const char* name, FieldType type, FieldValue value) {
@@ -172,9 +177,15 @@ std::string start_sector(const RecordSource& source) {
   if (const auto named = source.meta("start"); !named.empty() && source.sector(named)) return named;
   const auto ids = source.sector_ids();
   assert(!ids.empty());
+  std::string nearest;
+  double least_mm = std::numeric_limits<double>::max();
   for (const auto& id : ids)
     for (const auto& v : source.viewpoints_of(id))
-      if (v.kind == "start") return id;
+      if (const double mm = std::hypot(v.at.x, v.at.y); v.kind == "start" && mm < least_mm) {
+        nearest = id;
+        least_mm = mm;
+      }
+  if (!nearest.empty()) return nearest;
   for (const auto& id : ids)
     if (source.sector(id)->kind == SectorKind::square) return id;
   return ids.front();

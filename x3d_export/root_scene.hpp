@@ -19,9 +19,9 @@ struct RootOptions {
   std::string loader_url = "client/loader.js";
 };
 
-/// Where a visitor starts when no sector is named: meta "start", else the first sector with a start viewpoint, else the
-/// first square, else the first sector; by id.
-/// Needs   at least one sector (assert).
+/// Where a visitor starts when no sector is named: meta "start", else the sector with the start viewpoint nearest to
+/// the city's origin, else the first square, else the first sector; by id where that leaves a choice. Needs   at least
+/// one sector (assert).
 std::string start_sector(const RecordSource& source);
 
 /// One big ProximitySensor, the LOADER Script and an Inline for the start sector and those behind its gates: never one
