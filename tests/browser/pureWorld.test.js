@@ -27,7 +27,7 @@ for (const format of ['x3d', 'wrl']) test(`the .${format} world of ${name} works
     await assertSector(tab.page, map, start);
     for (let i = 1; i < route.length; ++i) {
         await moveTo(tab.page, await map.gateMiddle(route[i - 1], route[i]));
-        await moveTo(tab.page, (await map.wallToRunInto(route[i])).stand);
+        await moveTo(tab.page, (await map.wallsToRunInto(route[i]))[0].stand);
         await assertSector(tab.page, map, route[i]);
     }
     assert.deepEqual(tab.complaints, []);

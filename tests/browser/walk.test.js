@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { firstLevel } from '../../client_scripts/core/sectorRecord.js';
 import { GroundWalls } from '../../client_scripts/core/GroundWalls.js';
-import { distance, nearestOnSegment } from '../../client_scripts/core/planGeometry.js';
+import { boxContains, distance, distanceToEdges, isInside, nearestOnSegment } from '../../client_scripts/core/planGeometry.js';
 import { openBrowser } from './support/chromium.js';
 import { CityMap, startWithRoute } from './support/cityMap.js';
 import { cities, serveCity } from './support/vicusServer.js';
@@ -14,6 +14,7 @@ const kGates = 4;
 const kKeepSeconds = 10;
 const kLagSeconds = 6;                // a slow machine's frames between leaving and giving back
 const kShapeCap = 1500;
+const kWellInsideMm = 2500;             // more than the hysteresis and what Visitor.walk calls reached
 const kFirstSectorBytes = 150000;
 const kStreetSeconds = 2.5, kTries = 5;
 const kShots = process.env.VICUS_SHOTS ?? 'out';
@@ -55,15 +56,13 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
     });
 
     await t.test('walls stop the visitor', async () => {
-        const { stand, wall } = await map.wallToRunInto(start);
-        const { pose } = await visitor.now();
-        const path = await map.path(start, [pose.east * 1000, pose.north * 1000], stand);
-        await visitor.walk(path ?? [stand], { within: 0.5, run: false });
+        const { current, pose } = await visitor.now();
+        const { wall, path } = await map.wallInReach(current, [pose.east * 1000, pose.north * 1000]);
+        await visitor.walk(path, { within: 0.5, run: false });
         await visitor.face([(wall[0][0] + wall[1][0]) / 2, (wall[0][1] + wall[1][1]) / 2]);
         await visitor.hold('KeyW', 3000);
         const end = (await visitor.now()).pose, point = [end.east * 1000, end.north * 1000];
-        const sector = await map.sector(start);
-        assert.ok(new GroundWalls([sector]).isOnGround(point), `off the ground at ${point}`);
+        assert.ok(new GroundWalls([await map.sector(current)]).isOnGround(point), `off the ground at ${point}`);
         const gap = distance(nearestOnSegment(wall[0], wall[1], point), point) / 1000;
         assert.ok(gap >= 0.2 && gap < 1.5, `${gap} m from the wall`);
         assert.ok(end.up > 1 && end.up < 2.5, `eye at ${end.up} m`);
@@ -111,26 +110,34 @@ function bytesBeside(visitor, paths) {
     return sum;
 }
 
-/** From where the visitor is in chain[i - 1] through the gate into chain[i], 2 m beyond it. */
+/** From where the visitor is in chain[i - 1] through the gate into chain[i], beyond the hysteresis. */
 async function walkThroughGate(visitor, map, chain, i) {
     const { pose } = await visitor.now(), from = [pose.east * 1000, pose.north * 1000];
     const gate = await map.gateMiddle(chain[i - 1], chain[i]);
-    const onward = await map.path(chain[i], gate, await innerPoint(map, chain, i));
+    const onward = i + 1 < chain.length
+        ? await map.path(chain[i], gate, await map.gateMiddle(chain[i], chain[i + 1]))
+        : (await map.wallInReach(chain[i], gate)).path;
     const leg = await map.path(chain[i - 1], from, gate);
     assert.ok(leg && onward, `no way from ${chain[i - 1]} to ${chain[i]}`);
-    await visitor.walk([...leg, pointAlong(gate, onward[0], 2000)]);
+    await visitor.walk([...leg, ...untilWellInside(await map.sector(chain[i - 1]), gate, onward)]);
     await visitor.page.waitForFunction(id => window.vicus.visit.current === id, chain[i], { timeout: 20000 });
 }
 
-/** Where the visitor goes next in chain[i]: its far gate, or at the end of the chain the middle of the gate's room. */
-async function innerPoint(map, chain, i) {
-    if (i + 1 < chain.length) return map.gateMiddle(chain[i], chain[i + 1]);
-    return (await map.wallToRunInto(chain[i])).stand;
-}
-
-function pointAlong(from, to, length) {
-    const whole = distance(from, to);
-    return whole <= length ? to : [0, 1].map(k => from[k] + (to[k] - from[k]) * length / whole);
+/** The way from the gate until the visitor is well off the ground that was left: beyond the hysteresis. */
+function untilWellInside(left, gate, onward) {
+    const way = [];
+    let from = gate;
+    for (const to of onward) {
+        const steps = Math.ceil(distance(from, to) / 250);
+        for (let i = 1; i <= steps; ++i) {
+            const point = [0, 1].map(k => Math.round(from[k] + (to[k] - from[k]) * i / steps));
+            const isOff = !(boxContains(left.box, point) && isInside(left.ground, point));
+            if (isOff && distanceToEdges(left.ground, point) > kWellInsideMm) return [...way, point];
+        }
+        way.push(to);
+        from = to;
+    }
+    return way;
 }
 
 /** L_1 is there; what else is there belonged to a sector left no longer ago than the hysteresis allows. */

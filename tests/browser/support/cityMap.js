@@ -83,19 +83,27 @@ export class CityMap {
         return shortestPath([from, to, ...spots], (a, b) => isClear(walls, a, b));
     }
 
-    /** The longest wall of the sector with room before it: { stand, wall: [a, b] }; stand is 2.5 m off its middle. */
-    async wallToRunInto(id) {
-        const sector = await this.sector(id);
-        const walls = new GroundWalls([sector]);
-        const candidates = walls.walls.map(([a, b]) => ({ a, b, length: distance(a, b) })).filter(wall => wall.length > 3000)
-            .sort((a, b) => b.length - a.length);
-        for (const { a, b, length } of candidates) {
-            const normal = [-(b[1] - a[1]) / length, (b[0] - a[0]) / length];
-            const stand = [0, 1].map(i => (a[i] + b[i]) / 2 + 2500 * normal[i]);
-            if (walls.isOnGround(stand) && walls.clearance(stand) > 1500) return { stand, wall: [a, b] };
-        }
-        throw new Error(`sector ${id} has no wall with 2.5 m of ground before it`);
+    /** The sector's walls with room before them, longest first: { stand, wall: [a, b] }; stand is 2.5 m off its middle. */
+    async wallsToRunInto(id) {
+        const walls = new GroundWalls([await this.sector(id)]);
+        return walls.walls.filter(([a, b]) => distance(a, b) > 3000).sort((p, q) => distance(...q) - distance(...p))
+            .map(([a, b]) => ({ stand: pointBefore(a, b, 2500), wall: [a, b] }))
+            .filter(({ stand }) => walls.isOnGround(stand) && walls.clearance(stand) > 1500);
     }
+
+    /** The first of them that can be walked to from a point of the sector: { stand, wall, path }. */
+    async wallInReach(id, from) {
+        for (const found of await this.wallsToRunInto(id)) {
+            const path = await this.path(id, from, found.stand);
+            if (path) return { ...found, path };
+        }
+        throw new Error(`sector ${id} has no wall to walk up to from ${from}`);
+    }
+}
+
+function pointBefore(a, b, off) {
+    const length = distance(a, b);
+    return [(a[0] + b[0]) / 2 - off * (b[1] - a[1]) / length, (a[1] + b[1]) / 2 + off * (b[0] - a[0]) / length];
 }
 
 /** The server's own start, or the nearest sector from which a route leads. */

@@ -1,7 +1,7 @@
 import { spawn, execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const kRoot = fileURLToPath(new URL('../../../', import.meta.url));
@@ -16,17 +16,17 @@ function program() {
 
 /**
  * The cities to walk: name -> function that makes the city file in `folder` and returns its path.
- * Rochechouart only where the real data is; VICUS_CITY names one more. VICUS_ORIGIN: only a server that runs already.
+ * Rochechouart only where the real data is. VICUS_CITY: that city file alone; VICUS_ORIGIN: what runs there already.
  */
 export function cities() {
     if (process.env.VICUS_ORIGIN) return { running: () => '' };
+    if (process.env.VICUS_CITY) return { [basename(process.env.VICUS_CITY, '.gpkg')]: () => process.env.VICUS_CITY };
     const made = { town: folder => {
         execFileSync(program(), ['town', '--houses', '300', '--seed', '7', '-o', join(folder, 'town.osm'), '--quiet']);
         return build(folder, join(folder, 'town.osm'));
     } };
     const rochechouart = join(kData, 'paris-rochechouart', 'paris-rochechouart.osm.pbf');
     if (existsSync(rochechouart)) made.rochechouart = folder => build(folder, rochechouart);
-    if (process.env.VICUS_CITY) made.given = () => process.env.VICUS_CITY;
     return made;
 }
 
