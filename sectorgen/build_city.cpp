@@ -57,16 +57,19 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
 
   clock.begin("sectors");
   const auto limit = static_cast<std::uint32_t>(options.budget_bytes / kBytesPerSide);
+  const CoverMesh cover(plan.noded, reach_points(map.axes, map.areas));
   GroundOptions ground;
-  for (std::vector<PlanPoint> needed;; ground.no_islands.insert(ground.no_islands.end(), needed.begin(), needed.end())) {
+  CutOptions cuts;
+  std::vector<PlanPoint> needed;
+  for (;; cuts.join_across_islands = true, ground.no_islands.insert(ground.no_islands.end(), needed.begin(), needed.end())) {
     std::sort(ground.no_islands.begin(), ground.no_islands.end());
-    plan.ground = make_ground(plan.noded, ground);
+    plan.ground = make_ground(cover, ground);
     plan.routes = route_axes(plan.ground, map.axes, map.areas);
-    plan.cells = cut_cells(plan.ground, plan.routes, CutOptions{});
+    plan.cells = cut_cells(plan.ground, plan.routes, cuts);
     merge_cells(plan.ground, plan.routes, plan.cells);
     // A cut through a small obstacle, or a sector too heavy to leave whole: cut again with those obstacles in the mesh.
-    needed = crossed_islands(plan.ground, plan.cells);
     const auto heavy = islands_in_heavy_cells(plan.ground, plan.cells, limit);
+    needed = crossed_islands(plan.ground, plan.cells);
     needed.insert(needed.end(), heavy.begin(), heavy.end());
     if (needed.empty()) break;
   }

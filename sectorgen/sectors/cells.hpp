@@ -22,6 +22,7 @@ struct Cells {
 
 struct CutOptions {
   double piece_m = 120;       ///< long streets are cut into pieces about this long
+  bool join_across_islands = false;  ///< cells that would meet across an island become one
   double fence_m = 0.9;       ///< ground behind gaps narrower than this is closed off
 };
 
@@ -42,6 +43,7 @@ std::vector<PlanPoint> islands_in_heavy_cells(const Ground& ground, const Cells&
 void split_heavy_cells(const Ground& ground, Cells& cells, std::uint32_t limit);
 
 /// First points of the islands that some cell's boundary crosses: they must be made obstacles, and the ground cut anew.
+/// None with CutOptions::join_across_islands.
 std::vector<PlanPoint> crossed_islands(const Ground& ground, const Cells& cells);
 
 }  // namespace vicus

@@ -270,6 +270,10 @@ Cells cut_cells(const Ground& g, const Routes& r, const CutOptions& options) {
   seed_sets(g, r, cuts, sets, cells.kind);
   seed_the_rest(g, r, sets, cells.kind);
   grow(g, r, cuts, options, across, sets, cells.kind);
+  if (options.join_across_islands)
+    for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (r.is_reached[t] && g.is_crossable(t, k) && across[g.edge_id(t, k)] != kNone) sets.unite(t, g.beyond(t, k));
   cells.of.assign(g.mesh.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < cells.of.size(); ++t)
     if (g.is_free[t] && r.is_reached[t]) cells.of[t] = sets.seed(t);

@@ -6,7 +6,7 @@
 
 #include "city_db/issues.hpp"
 #include "sectorgen/geom/polygon.hpp"
-#include "sectorgen/sectors/box_index.hpp"
+#include "sectorgen/sectors/locator.hpp"
 
 namespace vicus {
 namespace {
@@ -323,41 +323,105 @@ bool Ground::is_city_edge(std::uint32_t t, int k) const {
   return is_free[t] && e != kNone && !edges[e].is_kerb() && sides[edges[e].side].beyond == Beyond::city_edge;
 }
 
-Ground make_ground(const std::vector<NodedPart>& map, const GroundOptions& options) {
-  Ground ground;
-  std::vector<std::uint32_t> island;
-  {
-    const std::vector<LayerEdge> edges = layer_edges(map);
-    std::vector<std::pair<PlanPoint, PlanPoint>> pieces;
-    for (const auto& e : edges) pieces.push_back({e.a, e.b});
-    const Mesh first = mesh_of(pieces);
-    const std::vector<Cover> cover = flood(first, edges);
-    std::uint32_t islands = 0;
-    island = find_islands(first, cover, options.island_m2, islands);
-    std::vector<std::vector<std::uint32_t>> members(islands);
-    for (std::uint32_t t = 0; t < island.size(); ++t)
-      if (island[t] != kNone) members[island[t]].push_back(t);
-    for (std::uint32_t i = 0; i < islands; ++i) {
-      auto polygons = outline(first, members[i], island, i);
-      const bool is_kept = polygons.size() == 1 && !std::binary_search(options.no_islands.begin(), options.no_islands.end(),
-                                                                       polygons[0].outer.front());
-      if (is_kept)
-        ground.islands.push_back({std::move(polygons[0]), beyond_of(cover[members[i].front()])});
-      else
-        for (std::uint32_t t : members[i]) island[t] = kNone;
-    }
-    std::vector<std::uint32_t> city(first.triangles.size(), kNone), all;
-    for (std::uint32_t t = 0; t < city.size(); ++t)
-      if (cover[t][kDomain] > 0) {
-        city[t] = 0;
-        all.push_back(t);
+struct CoverMesh::Impl {
+  std::vector<LayerEdge> edges;
+  Mesh mesh;
+  std::vector<Cover> cover;
+  std::vector<Ring> domain;
+  std::vector<Polygon> courtyards;
+};
+
+namespace {
+
+/// Takes the cover's freedom from ground that no point reaches: courtyards become blocked, what is open to the city's
+/// edge leaves the city. Returns the courtyards' triangles.
+std::vector<std::uint32_t> shut_unreached(const Mesh& mesh, const std::vector<PlanPoint>& reach, std::vector<Cover>& cover) {
+  std::vector<char> seen(mesh.triangles.size(), 0);
+  std::vector<std::uint32_t> component, courtyards;
+  bool at_edge = false;
+  const auto flood_from = [&](std::uint32_t seed) {
+    component.assign(1, seed);
+    seen[seed] = 1;
+    at_edge = false;
+    for (std::size_t i = 0; i < component.size(); ++i)
+      for (std::uint32_t n : mesh.triangles[component[i]].neighbour) {
+        if (n == kNone || cover[n][kDomain] <= 0) at_edge = true;
+        if (n == kNone || seen[n] || !is_free(cover[n])) continue;
+        seen[n] = 1;
+        component.push_back(n);
       }
-    for (auto& p : outline(first, all, city, 0)) {
-      ground.domain.push_back(std::move(p.outer));
-      for (auto& hole : p.holes) ground.domain.push_back(std::move(hole));
-    }
-    ground.edges = ground_edges(first, edges, cover, island, options.piece_m, ground.sides);
+  };
+  const Locator locator(mesh);
+  for (PlanPoint p : reach) {
+    const std::uint32_t t = locator.locate(p);
+    if (t != kNone && !seen[t] && is_free(cover[t])) flood_from(t);
   }
+  for (std::uint32_t t = 0; t < seen.size(); ++t) {
+    if (seen[t] || !is_free(cover[t])) continue;
+    flood_from(t);
+    if (!at_edge) courtyards.insert(courtyards.end(), component.begin(), component.end());
+    for (std::uint32_t m : component) cover[m][at_edge ? kDomain : kWall] = at_edge ? 0 : 1;
+  }
+  return courtyards;
+}
+
+}  // namespace
+
+CoverMesh::CoverMesh(const std::vector<NodedPart>& map, const std::vector<PlanPoint>& reach) : impl_(std::make_unique<Impl>()) {
+  impl_->edges = layer_edges(map);
+  std::vector<std::pair<PlanPoint, PlanPoint>> pieces;
+  for (const auto& e : impl_->edges) pieces.push_back({e.a, e.b});
+  const Mesh& mesh = impl_->mesh = mesh_of(pieces);
+  impl_->cover = flood(mesh, impl_->edges);
+  std::vector<std::uint32_t> group(mesh.triangles.size(), kNone);
+  if (!reach.empty()) {
+    const auto courtyards = shut_unreached(mesh, reach, impl_->cover);
+    for (std::uint32_t t : courtyards) group[t] = 0;
+    impl_->courtyards = outline(mesh, courtyards, group, 0);
+  }
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t t = 0; t < group.size(); ++t) {
+    group[t] = impl_->cover[t][kDomain] > 0 ? 1 : kNone;
+    if (group[t] == 1) all.push_back(t);
+  }
+  for (auto& p : outline(mesh, all, group, 1)) {
+    impl_->domain.push_back(std::move(p.outer));
+    for (auto& hole : p.holes) impl_->domain.push_back(std::move(hole));
+  }
+}
+
+CoverMesh::~CoverMesh() = default;
+
+namespace {
+
+/// Small free-standing obstacles become islands; per triangle the island's number.
+std::vector<std::uint32_t> take_islands(const CoverMesh::Impl& first, const GroundOptions& options, std::vector<Island>& islands) {
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> island = find_islands(first.mesh, first.cover, options.island_m2, count);
+  std::vector<std::vector<std::uint32_t>> members(count);
+  for (std::uint32_t t = 0; t < island.size(); ++t)
+    if (island[t] != kNone) members[island[t]].push_back(t);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    auto polygons = outline(first.mesh, members[i], island, i);
+    const bool is_island = polygons.size() == 1 && !std::binary_search(options.no_islands.begin(), options.no_islands.end(),
+                                                                       polygons[0].outer.front());
+    if (is_island)
+      islands.push_back({std::move(polygons[0]), beyond_of(first.cover[members[i].front()])});
+    else
+      for (std::uint32_t t : members[i]) island[t] = kNone;
+  }
+  return island;
+}
+
+}  // namespace
+
+Ground make_ground(const CoverMesh& cover_mesh, const GroundOptions& options) {
+  const CoverMesh::Impl& first = cover_mesh.impl();
+  Ground ground;
+  ground.domain = first.domain;
+  ground.courtyards = first.courtyards;
+  const std::vector<std::uint32_t> island = take_islands(first, options, ground.islands);
+  ground.edges = ground_edges(first.mesh, first.edges, first.cover, island, options.piece_m, ground.sides);
   if (ground.edges.empty()) throw CityError("no open ground: the footprints and water fill the whole city outline", 4);
 
   std::vector<std::pair<PlanPoint, PlanPoint>> pieces;

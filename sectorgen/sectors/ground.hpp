@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "sectorgen/geom/triangulation.hpp"
@@ -39,6 +40,7 @@ struct Ground {
   std::vector<char> is_added;         ///< per point: a T-vertex, not in the source
   std::vector<Island> islands;        ///< small free-standing obstacles, left out of the mesh
   std::vector<Ring> domain;           ///< outline of the city: simple rings, city on the left
+  std::vector<Polygon> courtyards;    ///< shut ground, not in the mesh
 
   /// A number for each undirected edge, from either side; size of such numbers.
   std::uint32_t edge_id(std::uint32_t t, int k) const;
@@ -50,6 +52,24 @@ struct Ground {
   std::uint32_t beyond(std::uint32_t t, int k) const { return mesh.triangles[t].neighbour[static_cast<std::size_t>(k)]; }
 };
 
+/// The noded map triangulated, with how many features of each layer cover each triangle: the ground before small
+/// obstacles are taken out and T-vertices put in. Made once, cut several times.
+/// Source  research/SECTORS.md §4.1.
+/// Differs no polygon union: a flood through the triangulation counts the covers.
+///
+/// Free ground that no point of `reach` lies in is shut: a courtyard, or outside where the city's edge is open to it.
+/// With no points nothing is shut.
+class CoverMesh {
+ public:
+  CoverMesh(const std::vector<NodedPart>& map, const std::vector<PlanPoint>& reach);
+  ~CoverMesh();
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
 struct GroundOptions {
   double island_m2 = 60;      ///< smaller free-standing obstacles become islands
   std::vector<PlanPoint> no_islands;  ///< sorted: small obstacles with this first point stay in the mesh
@@ -58,8 +78,7 @@ struct GroundOptions {
 
 /// Error   a facade bends by at most 0.71 mm at a T-vertex; else none.
 /// Fails   CityError(exit 4): no ground at all.
-/// Source  research/SECTORS.md §4.1, §4.2.
-/// Differs no polygon union: a flood through the triangulation counts how many features cover each triangle.
-Ground make_ground(const std::vector<NodedPart>& map, const GroundOptions& options);
+/// Source  research/SECTORS.md §4.2.
+Ground make_ground(const CoverMesh& first, const GroundOptions& options);
 
 }  // namespace vicus

@@ -246,6 +246,25 @@ std::int64_t midpoint_distance_mm(const Ground& g, std::uint32_t t, int k, int m
   return integer_sqrt((dx * dx + dy * dy) / 4);
 }
 
+std::vector<PlanPoint> reach_points(const std::vector<Axis>& axes, const std::vector<Area>& areas) {
+  std::vector<PlanPoint> out;
+  const auto add = [&](PlanPoint a, PlanPoint b) {
+    const std::int64_t n = length_mm(a, b) / kReachMm + 1;
+    for (std::int64_t i = 0; i < n; ++i)
+      out.push_back({static_cast<std::int32_t>(a.x + (std::int64_t{b.x} - a.x) * i / n),
+                     static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * i / n)});
+  };
+  for (const Axis& axis : axes) {
+    for (std::size_t i = 0; i + 1 < axis.line.size(); ++i) add(axis.line[i], axis.line[i + 1]);
+    out.push_back(axis.line.back());
+  }
+  if (axes.empty()) return {};  // the network is invented from all ground
+  for (const Area& area : areas)
+    if (area.kind == AreaKind::square)
+      for (std::size_t i = 0; i < area.area.outer.size(); ++i) add(area.area.outer[i], area.area.outer[(i + 1) % area.area.outer.size()]);
+  return out;
+}
+
 Routes route_axes(const Ground& g, const std::vector<Axis>& axes, const std::vector<Area>& areas) {
   Routes r;
   r.is_used.assign(g.edge_ids(), 0);

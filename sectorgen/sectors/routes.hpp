@@ -29,6 +29,10 @@ struct Routes {
 /// Error   none: exact walk; an axis through a vertex is taken as passing on its left.
 Routes route_axes(const Ground& ground, const std::vector<Axis>& axes, const std::vector<Area>& areas);
 
+/// Points at most kReachMm apart along every axis and square's outline: ground without any is not walked on.
+std::vector<PlanPoint> reach_points(const std::vector<Axis>& axes, const std::vector<Area>& areas);
+inline constexpr std::int64_t kReachMm = 2'000;
+
 inline constexpr std::int64_t kWideMm = 4'000;
 
 /// Used edges of triangle t.

@@ -250,6 +250,11 @@ class Writer {
       const Barrier& b = map_.barriers[plan_.blocks.walls[f].barrier];
       city_.obstacles.push_back({b.is_wall ? ObstacleKind::wall : ObstacleKind::fence, b.source_id, b.height_m, std::move(p)});
     });
+    for (const auto& p : plan_.ground.courtyards) {
+      Polygon bent{bends_.apply(p.outer), {}};
+      for (const auto& hole : p.holes) bent.holes.push_back(bends_.apply(hole));
+      city_.obstacles.push_back({ObstacleKind::courtyard, "", 0, std::move(bent)});
+    }
     for (const auto& island : plan_.ground.islands)  // ground shut in by a small obstacle
       for (Ring hole : island.area.holes) {
         std::reverse(hole.begin(), hole.end());
