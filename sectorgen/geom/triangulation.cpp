@@ -21,11 +21,22 @@ using FaceBase = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                        CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// Sorted unique points: the mesh's own numbering, independent of input order.
-std::vector<PlanPoint> unique_points(const std::vector<PlanPoint>& points) {
-  std::vector<PlanPoint> out = points;
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+/// Sorted unique points, the mesh's own numbering, independent of input order; and each input point's number in it.
+struct Numbering {
+  std::vector<PlanPoint> points;
+  std::vector<std::uint32_t> of;
+};
+
+Numbering number_points(const std::vector<PlanPoint>& points) {
+  std::vector<std::pair<PlanPoint, std::uint32_t>> sorted(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) sorted[i] = {points[i], i};
+  std::sort(sorted.begin(), sorted.end());
+  Numbering out;
+  out.of.resize(points.size());
+  for (const auto& [p, i] : sorted) {
+    if (out.points.empty() || out.points.back() != p) out.points.push_back(p);
+    out.of[i] = static_cast<std::uint32_t>(out.points.size() - 1);
+  }
   return out;
 }
 
@@ -157,14 +168,12 @@ int Mesh::twin_side(std::uint32_t t, int k) const {
 }
 
 Mesh triangulate_edges(const std::vector<PlanPoint>& points, const std::vector<Edge>& edges) {
-  const std::vector<PlanPoint> unique = unique_points(points);
-  const auto index = [&](PlanPoint p) {
-    return static_cast<std::uint32_t>(std::lower_bound(unique.begin(), unique.end(), p) - unique.begin());
-  };
+  Numbering numbering = number_points(points);
+  const std::vector<PlanPoint>& unique = numbering.points;
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> keyed;
   keyed.reserve(edges.size());
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    const std::uint32_t a = index(points[edges[i].a]), b = index(points[edges[i].b]);
+    const std::uint32_t a = numbering.of[edges[i].a], b = numbering.of[edges[i].b];
     if (a != b) keyed.push_back({{std::min(a, b), std::max(a, b)}, i});
   }
   std::sort(keyed.begin(), keyed.end());
