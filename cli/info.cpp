@@ -67,10 +67,13 @@ nlohmann::json object_from(const std::filesystem::path& path, const City& city,
     object["artefacts"].push_back({{"media_type", media_type}, {"coding", coding}, {"count", count}, {"bytes", bytes}});
   object["meta"] = nlohmann::json::object();
   for (const auto& [key, value] : city.meta) {
-    if (is_list_key(key))
-      object["meta"][key] = lines_of(value);
-    else
-      object["meta"][key] = value;
+    auto& shown = object["meta"][key];
+    if (is_list_key(key)) {
+      shown = lines_of(value);
+    } else {
+      shown = key == "options" ? nlohmann::json::parse(value, nullptr, false) : nlohmann::json(value);
+      if (shown.is_discarded()) shown = value;
+    }
   }
   return object;
 }

@@ -278,7 +278,7 @@ City sample_city() {
   city.meta = {{"program_version", "0.0.0-sample"},
                {"sources", "sample.osm"},
                {"licences", "drawn by hand, CC0 1.0"},
-               {"options", "sample"}};
+               {"options", "{\"budget_kb\":200}"}};
   add_sectors(city);
   add_buildings(city);
   add_side_walls(city);

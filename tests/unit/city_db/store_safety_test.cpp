@@ -101,7 +101,7 @@ TEST(WriteCity, KilledAtAnyMomentLeavesTheOldOrTheNewCity) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::printf("seed %u, one build %ld us\n", seed, static_cast<long>(once.count()));
   std::mt19937 random(seed);
-  std::uniform_int_distribution<std::int64_t> delay(0, 3 * once.count());
+  std::uniform_int_distribution<std::int64_t> delay(0, 3 * once.count() / 2);
   int left_behind = 0;
   for (int kill = 0; kill < 50; ++kill) {
     build_and_kill(path, 1000 * (kill + 1), std::chrono::microseconds(delay(random)));

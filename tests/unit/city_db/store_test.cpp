@@ -14,7 +14,7 @@ using test::ScratchDirectory;
 
 std::vector<Artefact> some_artefacts() {
   std::string bytes;
-  for (int i = 0; i < 70'000; ++i) bytes.push_back(static_cast<char>(i * i / 7));
+  for (unsigned i = 0; i < 70'000; ++i) bytes.push_back(static_cast<char>(i * i / 7));
   return {{"/city.x3d", "model/x3d+xml", "identity", "h1", "<X3D/>"},
           {"/city.x3d", "model/x3d+xml", "br", "h2", std::string("\0br\0", 4)},
           {"/sectors/s-cross.x3d", "model/x3d+xml", "identity", "h3", bytes},
