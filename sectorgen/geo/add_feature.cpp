@@ -35,7 +35,6 @@ void FeatureAdder::begin(long long fid, Tags attributes) {
       (has_tag(attributes, "cls") && has_tag(attributes, "tile")))
     is_from_osm_ = true;
   tags_ = tags_from_attributes(std::move(attributes));
-  tags_.erase("tile");
   tags_.erase("edge");
 }
 
@@ -93,6 +92,7 @@ void FeatureAdder::line(std::vector<LatLon> points) {
 void FeatureAdder::point(LatLon at) {
   if (choice_.use == LayerUse::ignored || !are_in_reach({at})) return;
   Tags tags = tags_;
+  tags.erase("tile");
   if (choice_.use == LayerUse::objects && kind_of_point(tags).empty())
     tags.emplace(contains_word_part(choice_.layer.name, "lamp") ? "highway" : "natural",
                  contains_word_part(choice_.layer.name, "lamp") ? "street_lamp" : "tree");

@@ -170,6 +170,23 @@ bool is_valid(const Polygon& polygon) {
   return is_strictly_simple(polygon) || is_geos_valid(geometry_of(polygon).get());
 }
 
+std::vector<Polygon> united_polygons(const std::vector<Polygon>& polygons) {
+  std::vector<GEOSGeometry*> parts;
+  for (const Polygon& polygon : polygons) parts.push_back(geometry_of(polygon).release());
+  const Geometry all(
+      GEOSGeom_createCollection_r(geos(), GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
+  const Geometry united(GEOSUnaryUnion_r(geos(), all.get()));
+  std::vector<Polygon> rounded, valid;
+  if (united) append_polygons(united.get(), rounded);
+  for (const Polygon& polygon : rounded) {
+    const std::vector<Polygon> repaired =
+        is_valid(polygon) ? std::vector<Polygon>{polygon} : made_valid(geometry_of(polygon));
+    valid.insert(valid.end(), repaired.begin(), repaired.end());
+  }
+  make_canonical(valid);
+  return valid;
+}
+
 Repaired repaired_polygons(std::vector<Ring> rings) {
   Repaired result;
   if (!drop_short_rings(rings, result)) return result;

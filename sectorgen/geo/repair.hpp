@@ -27,6 +27,9 @@ struct Repaired {
 /// Fails   never; at worst nothing is left.
 Repaired repaired_polygons(std::vector<Ring> rings);
 
+/// Valid polygons of the union, on the lattice, sorted by their first point. Nothing where GEOS fails.
+std::vector<Polygon> united_polygons(const std::vector<Polygon>& polygons);
+
 /// OGC validity of a lattice polygon: exact check first, else GEOS.
 bool is_valid(const Polygon& polygon);
 

@@ -9,6 +9,7 @@
 #include "sectorgen/geo/read_gdal.hpp"
 #include "sectorgen/geo/read_geojson_lines.hpp"
 #include "sectorgen/geo/read_osm.hpp"
+#include "sectorgen/geo/stitch_pieces.hpp"
 
 namespace vicus {
 
@@ -107,6 +108,7 @@ SourceMap load_source_map(const LoadOptions& options, std::vector<Issue>& issues
   std::vector<bool> is_cut;
   place_features(std::move(raw), PlanFrame(map.origin), map, is_cut, issues);
   drop_duplicates(map.footprints, is_cut, issues);
+  stitch_pieces(map.footprints, is_cut);
   set_heights(map.footprints, is_cut, issues);
   adopt_lost_parts(map.footprints, issues);
   close_gaps(map.footprints, issues);

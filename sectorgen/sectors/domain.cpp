@@ -4,6 +4,7 @@
 #include <map>
 
 #include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/box_index.hpp"
 #include "sectorgen/sectors/overlay.hpp"
 
 namespace vicus {
@@ -219,6 +220,109 @@ void add_runs(const Line& closed, Test test, std::vector<Line>& out) {
 
 }  // namespace
 
+namespace {
+
+constexpr double kStrokePiece = 100;  // m: strokes are that long at most, so that a tile takes only what is near
+constexpr std::int32_t kTileMm = 400'000, kTileMarginMm = 90'000;
+
+PlanPoint point_between(PlanPoint a, PlanPoint b, int j, int n) {
+  return {static_cast<std::int32_t>(a.x + (std::int64_t{b.x} - a.x) * j / n),
+          static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * j / n)};
+}
+
+/// Axes with open ground on a side: elsewhere the facades bound the street.
+template <class Clear>
+std::vector<Stroke> open_strokes(const SourceMap& map, Clear clear_at) {
+  std::vector<Stroke> open;
+  for (const auto& axis : map.axes) {
+    if (axis.is_passage) continue;
+    Line run;
+    double length = 0;
+    const double half = std::clamp(axis.width_m / 2 + 2.5, 4.0, 14.0), beside = half + kOpenSide * 2 / 3;
+    const auto flush = [&] {
+      if (run.size() > 1) open.push_back({simplify(run, 0.3), half});
+      run.clear();
+      length = 0;
+    };
+    for (std::size_t i = 0; i + 1 < axis.line.size(); ++i) {
+      const PlanPoint a = axis.line[i], b = axis.line[i + 1];
+      const int n = static_cast<int>(metres(length_mm(a, b)) / kKerbSpacing) + 1;
+      for (int k = 0; k < n; ++k) {
+        const PlanPoint p = point_between(a, b, k, n), q = point_between(a, b, k + 1, n);
+        if (clear_at(right_of(a, b, p, beside)) < kOpenRadius && clear_at(right_of(a, b, p, -beside)) < kOpenRadius) {
+          flush();
+          continue;
+        }
+        if (run.empty()) run.push_back(p);
+        run.push_back(q);
+        length += metres(length_mm(p, q));
+        if (length > kStrokePiece) flush();
+      }
+    }
+    flush();
+  }
+  return open;
+}
+
+/// Open stretches of the strip's outline whose edges have their middle in the tile.
+template <class Clear>
+void add_open_sides(const Polygon& strip, const PlanBox& tile, Clear clear_at, std::vector<Line>& kerbs) {
+  const auto in_tile = [&](PlanPoint a, PlanPoint b) {
+    const PlanPoint m = point_between(a, b, 1, 2);
+    return m.x >= tile.min.x && m.x < tile.max.x && m.y >= tile.min.y && m.y < tile.max.y;
+  };
+  const auto ring = [&](const Ring& r) {
+    const Line closed = densified(r);
+    // Two discs side by side away from the street must be free of obstacles.
+    const auto is_open = [&](std::size_t i) {
+      const PlanPoint p = closed[i], a = closed[(i + closed.size() - 1) % closed.size()], b = closed[(i + 1) % closed.size()];
+      return clear_at(p) >= kOpenRadius / 2 && clear_at(right_of(a, b, p, kOpenSide * 2 / 3)) >= kOpenRadius &&
+             clear_at(right_of(a, b, p, kOpenSide * 4 / 3)) >= kOpenRadius;
+    };
+    std::vector<Line> runs;
+    add_runs(closed, is_open, runs);
+    for (const Line& run : runs) {
+      Line part;
+      for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+        if (!in_tile(run[i], run[i + 1])) {
+          if (part.size() > 1) kerbs.push_back(part);
+          part.clear();
+          continue;
+        }
+        if (part.empty()) part.push_back(run[i]);
+        part.push_back(run[i + 1]);
+      }
+      if (part.size() > 1) kerbs.push_back(part);
+    }
+  };
+  ring(strip.outer);
+  for (const auto& hole : strip.holes) ring(hole);
+}
+
+/// Tile by tile, each with what is near: the union of a whole city's strips costs minutes, and an edit would reach far.
+template <class Clear>
+void add_tiled_kerbs(const std::vector<Stroke>& open, Clear clear_at, std::vector<Line>& kerbs) {
+  std::vector<PlanBox> boxes;
+  PlanBox all;
+  for (const auto& stroke : open) {
+    boxes.emplace_back();
+    for (PlanPoint p : stroke.line) boxes.back().add(p), all.add(p);
+  }
+  if (all.is_empty()) return;
+  const BoxIndex index(boxes);
+  const auto tile_of = [](std::int32_t v) { return (v >= 0 ? v : v - kTileMm + 1) / kTileMm; };
+  for (int ty = tile_of(all.min.y) - 1; ty <= tile_of(all.max.y) + 1; ++ty)
+    for (int tx = tile_of(all.min.x) - 1; tx <= tile_of(all.max.x) + 1; ++tx) {
+      const PlanBox tile{{tx * kTileMm, ty * kTileMm}, {(tx + 1) * kTileMm, (ty + 1) * kTileMm}};
+      const PlanBox around{{tile.min.x - kTileMarginMm, tile.min.y - kTileMarginMm}, {tile.max.x + kTileMarginMm, tile.max.y + kTileMarginMm}};
+      std::vector<Stroke> near;
+      for (std::uint32_t i : index.meeting(around)) near.push_back(open[i]);
+      for (const auto& strip : close_gaps(stroke_outlines(near, Cap::round), kKerbJoin)) add_open_sides(strip, tile, clear_at, kerbs);
+    }
+}
+
+}  // namespace
+
 std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const std::vector<Polygon>& domain) {
   const PlanBox box = extent(map, blocks);
   std::vector<Line> kerbs;
@@ -234,55 +338,8 @@ std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const s
   const std::vector<float> clearance = distance_m(raster, blocked);
   const auto clear_at = [&](PlanPoint p) { return static_cast<double>(clearance[raster.cell_at(p)]); };
 
-  // Only axes in the open: elsewhere the facades bound the street.
-  std::vector<Stroke> open;
-  for (const auto& axis : map.axes) {
-    if (axis.is_passage) continue;
-    Line run;
-    const double half = std::clamp(axis.width_m / 2 + 2.5, 4.0, 14.0);
-    const auto flush = [&] {
-      if (run.size() > 1) open.push_back({simplify(run, 0.3), half});
-      run.clear();
-    };
-    for (std::size_t i = 0; i + 1 < axis.line.size(); ++i) {
-      const PlanPoint a = axis.line[i], b = axis.line[i + 1];
-      const int n = static_cast<int>(metres(length_mm(a, b)) / kKerbSpacing) + 1;
-      for (int k = 0; k < n; ++k) {
-        const auto at = [&](int j) {
-          return PlanPoint{static_cast<std::int32_t>(a.x + (std::int64_t{b.x} - a.x) * j / n),
-                           static_cast<std::int32_t>(a.y + (std::int64_t{b.y} - a.y) * j / n)};
-        };
-        const PlanPoint p = at(k), q = at(k + 1);
-        const double beside = half + kOpenSide * 2 / 3;
-        if (clear_at(right_of(a, b, p, beside)) < kOpenRadius && clear_at(right_of(a, b, p, -beside)) < kOpenRadius) {
-          flush();
-          continue;
-        }
-        if (run.empty()) run.push_back(p);
-        run.push_back(q);
-      }
-    }
-    flush();
-  }
-  for (const auto& strip : close_gaps(stroke_outlines(open, Cap::round), kKerbJoin)) {
-    const auto ring = [&](const Ring& r) {
-      Line closed = r;
-      closed.push_back(r.front());
-      closed = simplify(closed, 0.3);
-      closed.pop_back();
-      if (closed.size() < 3) return;
-      closed = densified(closed);
-      // Two discs side by side away from the street must be free of obstacles.
-      const auto is_open = [&](std::size_t i) {
-        const PlanPoint p = closed[i], a = closed[(i + closed.size() - 1) % closed.size()], b = closed[(i + 1) % closed.size()];
-        return clear_at(p) >= kOpenRadius / 2 && clear_at(right_of(a, b, p, kOpenSide * 2 / 3)) >= kOpenRadius &&
-               clear_at(right_of(a, b, p, kOpenSide * 4 / 3)) >= kOpenRadius;
-      };
-      add_runs(closed, is_open, kerbs);
-    };
-    ring(strip.outer);
-    for (const auto& hole : strip.holes) ring(hole);
-  }
+  const std::vector<Stroke> open = open_strokes(map, clear_at);
+  add_tiled_kerbs(open, clear_at, kerbs);
   return kerbs;
 }
 

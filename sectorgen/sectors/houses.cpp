@@ -101,15 +101,25 @@ struct HouseWriter {
   /// Facade records get their building's id; each building goes with the sector that has most of its facades.
   void name_facades() {
     std::vector<std::map<std::string, std::int64_t>> shares(city.buildings.size());
+    std::vector<Border> borders;
     for (auto& border : city.borders) {
-      if (border.kind != BorderKind::facade || border.building_id.empty()) continue;
+      if (border.kind != BorderKind::facade || border.building_id.empty()) {
+        borders.push_back(std::move(border));
+        continue;
+      }
+      // A house that rounding or a passage took apart is several buildings: one record for each stretch.
       const auto house = static_cast<std::uint32_t>(std::stoul(border.building_id));
-      const std::uint32_t i = building_with_edge(house, border.line[0], border.line[1]);
-      border.building_id = i == kNone ? "" : city.buildings[i].id;
-      if (i == kNone) continue;
-      for (std::size_t k = 0; k + 1 < border.line.size(); ++k)
+      std::uint32_t last = kNone;
+      for (std::size_t k = 0; k + 1 < border.line.size(); ++k) {
+        const std::uint32_t i = building_with_edge(house, border.line[k], border.line[k + 1]);
+        if (i == kNone) continue;
         shares[i][border.sector_id] += length_mm(border.line[k], border.line[k + 1]);
+        if (i != last || k == 0) borders.push_back({border.sector_id, city.buildings[i].id, border.kind, border.height_m, {border.line[k]}});
+        borders.back().line.push_back(border.line[k + 1]);
+        last = i;
+      }
     }
+    city.borders = std::move(borders);
     std::vector<PlanBox> placed;
     std::vector<std::uint32_t> placed_building;
     for (std::uint32_t i = 0; i < city.buildings.size(); ++i) {

@@ -64,6 +64,26 @@ void add_houses(const SourceMap& map, Blocks& blocks) {
   }
 }
 
+/// Does any piece of the line run over the area?
+bool runs_over(const Line& line, const Polygon& area) {
+  const auto crosses = [&](PlanPoint a, PlanPoint b, const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (cross_properly(a, b, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
+    return false;
+  };
+  const PlanBox box = bounds_of(area);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const PlanPoint a = line[i], b = line[i + 1];
+    if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x || std::max(a.y, b.y) < box.min.y ||
+        std::min(a.y, b.y) > box.max.y)
+      continue;
+    if (locate(area, a) == Side::inside || crosses(a, b, area.outer)) return true;
+    for (const auto& hole : area.holes)
+      if (crosses(a, b, hole)) return true;
+  }
+  return false;
+}
+
 void add_water(const SourceMap& map, Blocks& blocks) {
   std::vector<Stroke> decks;
   for (const auto& axis : map.axes)
@@ -71,7 +91,8 @@ void add_water(const SourceMap& map, Blocks& blocks) {
   const Strokes strokes(std::move(decks));
   for (const auto& area : map.areas) {
     if (area.kind != AreaKind::water) continue;
-    const auto near = strokes.near(bounds_of(area.area));
+    auto near = strokes.near(bounds_of(area.area));
+    std::erase_if(near, [&](const Stroke& s) { return !runs_over(s.line, area.area); });
     if (near.empty())
       blocks.water.push_back(area.area);
     else

@@ -117,6 +117,8 @@ class Writer {
     const auto breaks_after = [&](std::size_t i) {
       const std::size_t j = (i + 1) % n;
       if (!(keys[i] == keys[j])) return true;
+      const HalfEdge next = walk[j].first;
+      if (boundaries_.is_pinch[plan_.ground.mesh.corner(next.triangle, next.side + 1)]) return true;  // rings part there
       return keys[i].what == PieceKey::gate && !continues(plan_.ground, regions_.of, walk[i], walk[j]);
     };
     std::size_t start = 0;

@@ -55,6 +55,9 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
       out.is_kept[g.mesh.corner(t, k + 1)] = 1;
       out.is_kept[g.mesh.corner(t, k + 2)] = 1;
     }
+  out.is_pinch.assign(g.mesh.points.size(), 0);
+  std::vector<std::uint32_t> passed_by(g.mesh.points.size(), kNone);
+  std::uint32_t walk_number = 0;
   std::vector<char> visited(region.size() * 3, 0);
   for (std::uint32_t t = 0; t < region.size(); ++t) {
     if (region[t] == kNone) continue;
@@ -68,6 +71,9 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
       while (!visited[3 * h.triangle + static_cast<std::uint32_t>(h.side)]) {
         visited[3 * h.triangle + static_cast<std::uint32_t>(h.side)] = 1;
         const BoundaryPiece piece = piece_of(g, region, h);
+        const std::uint32_t start = g.mesh.corner(h.triangle, h.side + 1);
+        if (passed_by[start] == walk_number) out.is_pinch[start] = 1;
+        passed_by[start] = walk_number;
         if (joins) {
           walk.back().b = piece.b;
           walk.back().last = h;
@@ -78,6 +84,7 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
         h = next_edge(g, region, h);
       }
       out.walks[region[t]].push_back(std::move(walk));
+      ++walk_number;
     }
   }
   return out;

@@ -26,6 +26,7 @@ using BoundaryWalk = std::vector<BoundaryPiece>;
 struct Boundaries {
   std::vector<std::vector<BoundaryWalk>> walks;  ///< per region, in the order of their smallest half-edge
   std::vector<char> is_kept;                     ///< per mesh point: false for a T-vertex that was left out
+  std::vector<char> is_pinch;                    ///< per mesh point: some walk passes it more than once
 };
 Boundaries trace_regions(const Ground& ground, const std::vector<std::uint32_t>& region, std::uint32_t count);
 

@@ -93,7 +93,7 @@ void build_side(Site& site, Garden& garden, const Side& side) {
 }  // namespace
 
 void build_detached(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {0.8, 9}, site.rng.next());
+  const auto sides = facade_sides(site.network, face, {0.8, kWallSetback}, site.rng.next());
   if (sides.empty()) return;
   Garden garden;
   garden.outline = ring_of(sides);

@@ -14,6 +14,8 @@ struct Side {
   double first_m = 0, last_m = 0;  ///< chainage along the line at both ends of `front`
 };
 
+inline constexpr double kWallSetback = 9;  ///< m from ring street to facade line where the town wall stands between
+
 /// The sides of a face, each set back from its street's centre line by the half width plus extra(line, is_left).
 /// Needs   a bent network.
 /// Returns nothing when the streets leave no block between them.

@@ -84,7 +84,6 @@ void carve_core(Site& site, double radius) {
     const Vec normal = direction_of_turn(i / 8.0 + jitter);
     const double reach = radius * site.rng.between(0.94, 1.05);
     Line line = make_line(site, i == 1 ? StreetKind::avenue : StreetKind::ring);
-    line.has_wall = i == 3;
     cut_face(site.network, 0, site.origin + normal * reach, left_of(normal), line, {});
   }
   site.network.faces[0].zone = Zone::core;
@@ -158,6 +157,40 @@ Use use_for(const Site& site, Reserved& reserved, double area, double width, Zon
   return Use::open;
 }
 
+/// The best block that has no use yet: as large as possible, but for `most` square metres.
+bool give_block(Site& site, Use use, double most) {
+  Face* best = nullptr;
+  double best_area = 900;
+  for (std::size_t f = 0; f < site.network.faces.size(); ++f) {
+    Face& face = site.network.faces[f];
+    if (face.zone != Zone::core || face.use != Use::open) continue;
+    const Ring ring = site.network.ring_of(f);
+    Vec along;
+    const double area = area_of(ring);
+    if (area > best_area && area < most && width_of_convex(ring, along) > 33) best_area = area, best = &face;
+  }
+  if (best) best->use = use;
+  return best != nullptr;
+}
+
+/// The town wall stands on the ring street that most streets of the core lead to; the avenue has none.
+void place_wall(Network& n) {
+  std::vector<std::size_t> streets(n.lines.size());
+  for (const Edge& e : n.edges) {
+    const Line& ring = n.lines[e.line];
+    if (ring.kind != StreetKind::ring || e.left == Edge::kNoFace || n.faces[e.left].zone != Zone::core) continue;
+    for (const Edge& other : n.edges) {
+      if (other.line == e.line || (other.from != e.to && other.to != e.to)) continue;
+      const Vec end = n.vertices[other.from == e.to ? other.to : other.from];
+      const bool has_core = other.left != Edge::kNoFace && other.right != Edge::kNoFace &&
+                            n.faces[other.left].zone == Zone::core && n.faces[other.right].zone == Zone::core;
+      streets[e.line] += has_core && cross(ring.to - ring.from, end - n.vertices[e.to]) > 1;
+    }
+  }
+  const auto best = std::max_element(streets.begin(), streets.end());
+  if (*best > 0) n.lines[static_cast<std::size_t>(best - streets.begin())].has_wall = true;
+}
+
 void cut_blocks(Site& site) {
   Network& n = site.network;
   Reserved reserved;
@@ -175,6 +208,11 @@ void cut_blocks(Site& site) {
       ++reserved.seen;
     }
   }
+  if (!site.is_whole_town) return;
+  if (reserved.second_squares == 0) give_block(site, Use::second_square, 1e9);
+  if (reserved.parks == 0) give_block(site, Use::park, 1e9);
+  if (reserved.palaces == 0 && !give_block(site, Use::palace, 3'300)) give_block(site, Use::palace, 1e9);
+  place_wall(n);
 }
 
 }  // namespace

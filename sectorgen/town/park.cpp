@@ -47,7 +47,7 @@ void draw_paths(Site& site, const Ring& lawn, const std::vector<Side>& sides, st
 }  // namespace
 
 void build_park(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {}, 0);
+  const auto sides = facade_sides(site.network, face, {0, kWallSetback}, 0);
   const Ring lawn = ring_of(sides);
   if (sides.empty() || !is_simple(lawn)) return;
   site.map.closed_way(site.map.nodes_of(lawn), {{"leisure", "park"}, {"name", "Stadtpark Čapka"}});

@@ -53,7 +53,9 @@ void build_bridge(Site& site, Vec from, NodeId street, Vec across, double width)
   draw_way(site, {street, near_node}, street_tags(road));
   draw_way(site, {near_node, far_node}, deck);
   const Vec bow = mix(far, end, 0.5) + left_of(across) * 4;
-  draw_way(site, {far_node, site.map.node(bow), site.map.node(end)}, street_tags(road));
+  Tags last = street_tags(road);
+  last.emplace_back("noexit", "yes");
+  draw_way(site, {far_node, site.map.node(bow), site.map.node(end)}, last);
   const Ring ground = rectangle(mix(near, far, 0.5), across, width / 2, 4);
   site.map.closed_way(site.map.nodes_of(ground), {{"man_made", "bridge"},
                                                   {"layer", "1"},

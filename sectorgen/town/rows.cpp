@@ -245,6 +245,22 @@ Ring light_well(const Plot& p, Rng& rng) {
   return well;
 }
 
+/// Houses back to back between two fronts that run the same way.
+void build_double_row(Site& site, const Polyline& front, const Polyline& rear, std::size_t line) {
+  const double size = length_of(front), rear_size = length_of(rear);
+  const auto count = std::max<std::size_t>(2, static_cast<std::size_t>(size / kTypicalFront));
+  const auto at = [&](std::size_t i, double across) {
+    const double t = static_cast<double>(i) / static_cast<double>(count);
+    return mix(point_along(front, size * t), point_along(rear, rear_size * t), across);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    for (const bool is_rear : {false, true}) {
+      Ring ring{at(i, 0), at(i + 1, 0), at(i + 1, 0.5), at(i, 0.5)};
+      if (is_rear) ring = {at(i + 1, 1), at(i, 1), at(i, 0.5), at(i + 1, 0.5)};
+      build_house(site, ring, {line, static_cast<int>(2 * i + (is_rear ? 1 : 2)), true, false});
+    }
+}
+
 }  // namespace
 
 bool build_rows(Site& site, std::vector<Side> sides, std::size_t face) {
@@ -278,34 +294,21 @@ bool build_rows(Site& site, std::vector<Side> sides, std::size_t face) {
 }
 
 bool build_narrow_block(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {0, 9}, 0);
+  auto sides = facade_sides(site.network, face, {0, kWallSetback}, 0);
   if (sides.size() != 4) return false;
-  Ring corners;
-  for (const Side& s : sides) corners.push_back(s.front.front());
-  const auto mean = [&](std::size_t i) {
-    return (distance(corners[i], corners[i + 1]) + distance(corners[i + 2], corners[(i + 3) % 4])) / 2;
-  };
-  const double narrow = std::min(mean(0), mean(1));
-  if (narrow < 12 || narrow > 31) return false;
-  build_island(site, corners, sides[mean(0) > mean(1) ? 0 : 1].line);
+  const auto size = [&](std::size_t i) { return (length_of(sides[i].front) + length_of(sides[i + 2].front)) / 2; };
+  if (size(0) < size(1)) std::rotate(sides.begin(), sides.begin() + 1, sides.end());
+  if (size(1) < 12 || size(1) > 31) return false;
+  Polyline rear = sides[2].front;
+  std::reverse(rear.begin(), rear.end());
+  build_double_row(site, sides[0].front, rear, sides[0].line);
   return true;
 }
 
 void build_island(Site& site, const Ring& corners, std::size_t line) {
-  const bool is_long = distance(corners[0], corners[1]) >= distance(corners[1], corners[2]);
-  const auto corner = [&](std::size_t i) { return corners[(i + (is_long ? 0 : 1)) % 4]; };
-  const double size = distance(corner(0), corner(1));
-  const auto count = std::max<std::size_t>(2, static_cast<std::size_t>(size / kTypicalFront));
-  const auto at = [&](std::size_t i, double across) {
-    const double t = static_cast<double>(i) / static_cast<double>(count);
-    return mix(mix(corner(0), corner(1), t), mix(corner(3), corner(2), t), across);
-  };
-  for (std::size_t i = 0; i < count; ++i)
-    for (const bool is_rear : {false, true}) {
-      Ring ring{at(i, 0), at(i + 1, 0), at(i + 1, 0.5), at(i, 0.5)};
-      if (is_rear) ring = {at(i + 1, 1), at(i, 1), at(i, 0.5), at(i + 1, 0.5)};
-      build_house(site, ring, {line, static_cast<int>(2 * i + (is_rear ? 1 : 2)), true, false});
-    }
+  const std::size_t first = distance(corners[0], corners[1]) >= distance(corners[1], corners[2]) ? 0 : 1;
+  const auto corner = [&](std::size_t i) { return corners[(i + first) % 4]; };
+  build_double_row(site, {corner(0), corner(1)}, {corner(3), corner(2)}, line);
 }
 
 }  // namespace vicus::town

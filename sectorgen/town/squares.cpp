@@ -8,6 +8,8 @@ namespace vicus::town {
 
 namespace {
 
+constexpr double kPavement = 0.4;  // m between a square and houses that are built with it
+
 void add_square(Site& site, const Ring& ring, const std::string& name) {
   Tags tags{{"place", "square"}, {"name", name}};
   if (!site.features.no_streets) {
@@ -96,7 +98,7 @@ void build_church(Site& site, Vec at, Vec east, double scale) {
 }
 
 void build_market(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {}, 0);
+  const auto sides = facade_sides(site.network, face, {0, kWallSetback}, 0);
   const Ring ring = ring_of(sides);
   if (sides.empty() || !is_simple(ring)) return;
   add_square(site, ring, "Großer Markt");
@@ -104,17 +106,22 @@ void build_market(Site& site, std::size_t face) {
   double hx = 0, hy = 0;
   for (const Vec p : ring) hx = std::max(hx, std::abs(dot(p - c, u))), hy = std::max(hy, std::abs(dot(p - c, v)));
   const Vec east = u.x > 0 ? u : u * -1;
-  const double scale = std::min({1.15, hx / 24, hy / 13});
-  const Vec at = c + v * (hy * 0.3);
-  const Ring room = rectangle(at - east * (1.7 * scale), east, 16.5 * scale, 7.5 * scale);
-  const bool fits = std::all_of(room.begin(), room.end(), [&](Vec p) { return contains_with_margin(ring, p, 1); });
-  if (fits && scale > 0.35) build_church(site, at, east, scale);
-  furnish_market(site, ring, c, u, v, hx, hy, fits ? room : Ring{});
+  Ring church;
+  for (double scale = std::min({1.15, hx / 24, hy / 13}); scale > 0.3 && church.empty(); scale *= 0.93)
+    for (const double aside : {0.3, 0.15, 0.0}) {
+      const Vec at = c + v * (hy * aside);
+      const Ring room = rectangle(at - east * (1.7 * scale), east, 16.5 * scale, 7.5 * scale);
+      if (!std::all_of(room.begin(), room.end(), [&](Vec p) { return contains_with_margin(ring, p, 1); })) continue;
+      build_church(site, at, east, scale);
+      church = room;
+      break;
+    }
+  furnish_market(site, ring, c, u, v, hx, hy, church);
 }
 
 /// An L: the block less its first corner, where houses stand; an island of houses at the opposite end.
 void build_second_square(Site& site, std::size_t face) {
-  auto sides = facade_sides(site.network, face, {}, 0);
+  auto sides = facade_sides(site.network, face, {0, kWallSetback}, 0);
   if (sides.size() < 4) return;
   std::size_t best = 0;  // the corner nearest to a right angle
   double straightest = 2;
@@ -131,7 +138,9 @@ void build_second_square(Site& site, std::size_t face) {
   const double a = length_of(first.front) * 0.5, b = length_of(last.front) * 0.5;
   const Vec on_first = point_along(first.front, a), on_last = point_along(last.front, length_of(last.front) - b);
   const Vec elbow = on_first + on_last - corner;
-  Ring square{elbow, on_first};
+  const Vec u = unit(on_first - corner), v = left_of(u), off_u = u * kPavement;
+  const Vec off_v = unit(on_last - corner) * kPavement;
+  Ring square{elbow + off_u + off_v, on_first + off_u};
   const Ring all = ring_of(sides);
   double walked = 0;
   for (std::size_t i = 1; i < first.front.size(); ++i) {
@@ -145,14 +154,14 @@ void build_second_square(Site& site, std::size_t face) {
     walked += distance(last.front[i - 1], last.front[i]);
     if (walked < length_of(last.front) - b - 1) square.push_back(last.front[i]);
   }
-  square.push_back(on_last);
+  square.push_back(on_last + off_v);
   if (!is_simple(square) || area_of(square) < 500) return;
   const Ring block{corner, on_first, elbow, on_last};
   std::vector<Side> block_sides;
   for (std::size_t i = 0; i < 4; ++i) block_sides.push_back({{block[i], block[(i + 1) % 4]}, first.line, true, 0, 60});
   if (!build_rows(site, block_sides, Edge::kNoFace)) build_island(site, block, first.line);
   add_square(site, square, "Kohlmarkt");
-  const Vec u = unit(on_first - corner), v = left_of(u), far = square[square.size() / 2];
+  const Vec far = square[square.size() / 2];
   Ring keep_out;
   if (const auto island = room_for_island(square, u)) {
     build_island(site, *island, first.line);
@@ -166,7 +175,7 @@ void build_second_square(Site& site, std::size_t face) {
 
 /// One house around a court of its own, entered by a passage.
 void build_palace(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {0.5, 9}, site.rng.next());
+  const auto sides = facade_sides(site.network, face, {0.5, kWallSetback}, site.rng.next());
   Ring outer;
   for (const Side& s : sides) outer.push_back(s.front.front());
   Ring closed = outer;

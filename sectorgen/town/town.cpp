@@ -42,7 +42,8 @@ void build_face(Site& site, std::size_t face) {
   if (site.houses_left <= 0) return;
   f.use = is_row ? Use::rows : Use::detached;
   const double jitter = site.features.collinear_fronts ? 0 : 0.9;
-  if (is_row && build_rows(site, facade_sides(site.network, face, {jitter, 9}, site.rng.next()), face)) return;
+  if (is_row && build_rows(site, facade_sides(site.network, face, {jitter, kWallSetback}, site.rng.next()), face))
+    return;
   if (is_row && build_narrow_block(site, face)) return;
   build_detached(site, face);
 }

@@ -77,7 +77,8 @@ void draw_wall(Site& site, const Polyline& centre, double off, const std::vector
   };
   for (double at = margin; at < size - margin; at += 3) {
     Vec forward;
-    const Vec p = point_along(centre, at, &forward) + left_of(forward) * off;
+    const Vec on_street = point_along(centre, at, &forward);
+    const Vec p = on_street + left_of(forward) * off;
     if (!is_near_gate(gates, p)) {
       if (piece.empty() && !gates.empty()) {
         const Vec side = left_of(gates[0].outwards) * kGateWide;
@@ -97,7 +98,8 @@ void draw_wall(Site& site, const Polyline& centre, double off, const std::vector
   finish();
   for (const double at : {margin, size - margin}) {
     Vec forward;
-    const Vec p = point_along(centre, at, &forward) + left_of(forward) * off;
+    const Vec on_street = point_along(centre, at, &forward);
+    const Vec p = on_street + left_of(forward) * off;
     if (!is_near_gate(gates, p)) build_tower(site, p);
   }
 }
