@@ -131,9 +131,9 @@ std::vector<Node> surroundings() {
   sky.set("groundAngle", std::vector<double>{1.3, 1.57});
   sky.set("groundColor", colours({{120, 118, 112}, {150, 150, 146}, kSkyColour}));
   // A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
-  sun.set("direction", std::vector<double>{0.5, -0.75, -0.4}).set("intensity", 0.8);
-  sky_light.set("direction", std::vector<double>{0.12, -0.35, 0.75}).set("intensity", 0.55);
-  street_light.set("direction", std::vector<double>{-0.7, 0.3, -0.27}).set("intensity", 0.5);
+  sun.set("direction", std::vector<double>{0.6, -0.5, -0.5}).set("intensity", 1.0);
+  sky_light.set("direction", std::vector<double>{0.12, -0.3, 0.75}).set("intensity", 0.75);
+  street_light.set("direction", std::vector<double>{-0.7, 0.2, -0.27}).set("intensity", 0.65);
   return {navigation, sky, sun, sky_light, street_light};
 }
 
