@@ -12,7 +12,7 @@ namespace vicus {
 namespace {
 
 constexpr std::int64_t kPerMille = 1000;
-constexpr std::int64_t kAddedPenalty = 80;        // per mille for each T-vertex: cuts prefer corners and party walls
+constexpr std::int64_t kAddedPenalty = 20;        // per mille for each T-vertex: of like cuts the one at corners or party walls
 constexpr std::int64_t kDistancePenalty = 250;    // per mille per width away from the junction
 constexpr std::int64_t kMouthReach = 60'000;      // mm
 constexpr std::int64_t kNarrowStreet = 6'000;     // mm: narrower ones count as this wide

@@ -12,6 +12,7 @@ namespace {
 constexpr std::int64_t kDeepMm = 30'000;       // ground farther than this from any street is a yard of its own
 constexpr double kNicheM2 = 40;                // smaller ground behind a narrow gap joins the street
 constexpr double kForecourtM2 = 400;           // smaller ground behind a kerb joins the street
+constexpr double kPocketM2 = 150, kNeck = 0.5;  // a yard begins at a neck narrower than half its side
 constexpr std::int64_t kRimMm = 8'000;         // a yard open to the city's edge this far is not part of the city
 
 double area_m2(const Ground& g, std::uint32_t t) {
@@ -144,6 +145,16 @@ void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& 
       if (a == kNone && b == kNone) continue;
       const double behind = sets.area(a == kNone ? e.triangle : e.other);
       if (behind >= (e.is_kerb ? kForecourtM2 : kNicheM2)) continue;
+    }
+    // A pocket behind a neck is a yard of its own, however shallow.
+    if ((a == kNone) != (b == kNone) && e.width < kNever) {
+      const std::uint32_t pocket = a == kNone ? e.triangle : e.other;
+      const double area = sets.area(pocket), neck = metres(e.width);
+      if (area >= kPocketM2 && neck * neck < kNeck * kNeck * area) {
+        sets.seed(pocket) = static_cast<std::uint32_t>(kind.size());
+        kind.push_back(CellKind::yard);
+        continue;
+      }
     }
     sets.unite(e.triangle, e.other);
   }

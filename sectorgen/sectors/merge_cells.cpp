@@ -13,7 +13,7 @@ constexpr double kOwnCrossroadsM2 = 900, kOwnCrossroadsSpan = 55;  // m2, m
 constexpr double kLengthAim = 162;                                  // m
 constexpr double kYardFront = 0.4;  // of the smaller yard's span
 constexpr double kSliverM2 = 80, kSliverSpan = 12;
-constexpr double kJoinSpan = 120, kJoinConvexity = 0.72;            // pieces of one street
+constexpr double kJoinSpan = 120, kJoinConvexity = 0.8;             // pieces of one street
 
 struct Border {
   std::int64_t mm = 0;       // all edges between the two cells

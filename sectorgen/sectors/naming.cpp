@@ -114,11 +114,7 @@ void name_sectors(const SourceMap& map, const Plan& plan, City& city) {
   for (auto& g : city.gates) {
     if (g.kind == GateKind::end_of_city) continue;
     const SectorKind a = city.sectors[std::stoul(g.sector_id)].kind, b = city.sectors[std::stoul(g.to_sector_id)].kind;
-    const auto is = [&](SectorKind k) { return a == k || b == k; };
-    if (is(SectorKind::passage))
-      g.kind = GateKind::passage;
-    else if (g.kind == GateKind::yard && !is(SectorKind::yard) && !is(SectorKind::open))
-      g.kind = GateKind::street;
+    if (a == SectorKind::passage || b == SectorKind::passage) g.kind = GateKind::passage;
   }
 }
 

@@ -39,6 +39,7 @@ struct PieceKey {
   std::uint32_t other = kNone;  // gate: the cell; border: the house
   BorderKind kind = BorderKind::facade;
   double height = 0;
+  bool is_street = false;  // gate: a street leads through
   friend bool operator==(const PieceKey&, const PieceKey&) = default;
 };
 
@@ -80,6 +81,7 @@ class Writer {
       } else {
         key.what = PieceKey::gate;
         key.other = p.other;
+        key.is_street = plan_.routes.is_used[plan_.ground.edge_id(p.first.triangle, p.first.side)] != 0;
       }
       return key;
     }
@@ -146,7 +148,7 @@ class Writer {
     const std::string number = std::to_string(c);
     for (const auto& walk : boundaries_.walks[c]) {
       for (auto& ring : simple_rings(ring_of(walk))) rings.push_back(std::move(ring));
-      runs(walk, [&](const PieceKey& key, std::vector<PlanPoint> line) { write_run(c, number, key, std::move(line)); });
+      runs(walk, [&](const PieceKey& key, std::vector<PlanPoint> line) { write_run(number, key, std::move(line)); });
     }
     add_islands(c, number, rings);
     auto polygons = assemble(std::move(rings));
@@ -159,7 +161,7 @@ class Writer {
     city_.sectors.push_back(std::move(sector));
   }
 
-  void write_run(std::uint32_t c, const std::string& number, const PieceKey& key, std::vector<PlanPoint> line) {
+  void write_run(const std::string& number, const PieceKey& key, std::vector<PlanPoint> line) {
     if (key.what == PieceKey::border) {
       Border border{number, key.other == kNone ? "" : std::to_string(key.other), key.kind, key.height, std::move(line)};
       city_.borders.push_back(std::move(border));
@@ -167,17 +169,13 @@ class Writer {
     }
     Gate gate;
     gate.sector_id = number;
-    gate.kind = key.what == PieceKey::end_of_city ? GateKind::end_of_city : gate_kind(c, key.other, line);
+    gate.kind = key.what == PieceKey::end_of_city ? GateKind::end_of_city
+                : key.is_street                   ? GateKind::street
+                : line.size() > 2                 ? GateKind::kerb
+                                                  : GateKind::yard;
     if (key.what == PieceKey::gate) gate.to_sector_id = std::to_string(key.other);
     gate.line = std::move(line);
     city_.gates.push_back(std::move(gate));
-  }
-
-  GateKind gate_kind(std::uint32_t c, std::uint32_t d, const std::vector<PlanPoint>& line) const {
-    const auto& kind = plan_.cells.kind;
-    const bool yard = kind[c] == CellKind::yard || kind[d] == CellKind::yard;
-    if (!yard) return GateKind::street;
-    return line.size() > 2 ? GateKind::kerb : GateKind::yard;
   }
 
   /// Small obstacles standing free in the cell: holes of its ground, bordered like any other.
@@ -192,14 +190,14 @@ class Writer {
         const PlanPoint a = hole[k], b = hole[(k + 1) % hole.size()];
         const PieceKey key = obstacle_key(a, b, island.kind);
         if (!line.empty() && !(key == last)) {
-          write_run(c, number, last, std::move(line));
+          write_run(number, last, std::move(line));
           line.clear();
         }
         if (line.empty()) line.push_back(a);
         line.push_back(b);
         last = key;
       }
-      write_run(c, number, last, std::move(line));
+      write_run(number, last, std::move(line));
       rings.push_back(std::move(hole));
     }
   }
