@@ -31,7 +31,8 @@ struct Progress {
   explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
-    static const std::map<std::string, double> kDone = {{"read", 0}, {"normalise", 0.2}, {"sectors", 0.4}, {"records", 0.55}, {"export", 0.65}};
+    static const std::map<std::string, double> kDone = {
+        {"read", 0}, {"normalise", 0.2}, {"sectors", 0.4}, {"records", 0.55}, {"export", 0.65}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)
@@ -47,7 +48,8 @@ struct Progress {
 LatLon parse_origin(const std::string& text) {
   double lat = 0, lon = 0;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf%c", &lat, &lon, &rest) != 2 || !(std::abs(lat) <= 90) || !(std::abs(lon) <= 180))
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &lat, &lon, &rest) != 2 || !(std::abs(lat) <= 90) ||
+      !(std::abs(lon) <= 180))
     throw CityError("--origin " + text + ": expected LAT,LON in degrees, such as 48.8770,2.3450", kWrongUsage);
   return {lat, lon};
 }
@@ -62,7 +64,8 @@ LoadOptions load_options(const Arguments& arguments) {
   return load;
 }
 
-/// The city built before under this name, for its sector ids. A file that is no city is refused before any work is done.
+/// The city built before under this name, for its sector ids. A file that is no city is refused before any work is
+/// done.
 std::optional<City> previous_city(const Arguments& arguments) {
   if (!std::filesystem::exists(arguments.output)) return std::nullopt;
   City city = read_city(arguments.output);
@@ -100,7 +103,8 @@ nlohmann::json report_object(const City& city, const BuildReport& report, const 
                              {"objects", city.objects.size()},
                              {"issues", city.issues.size()}}}};
   std::map<std::string, int> issues;
-  for (const auto& issue : city.issues) ++issues[std::to_string(static_cast<int>(issue.code)) + " " + name_of(issue.code)];
+  for (const auto& issue : city.issues)
+    ++issues[std::to_string(static_cast<int>(issue.code)) + " " + name_of(issue.code)];
   object["issues"] = issues;
   object["stages"] = nlohmann::json::array();
   for (const auto& s : report.stages)
@@ -114,7 +118,8 @@ std::string report_text(const City& city, const BuildReport& report, const std::
   for (const auto& s : report.stages) wall += s.wall_s;
   char line[200];
   std::snprintf(line, sizeof line, "%s: %zu sectors, %zu gates, %zu buildings from the map in %.1f s, %zu issues\n",
-                output.c_str(), city.sectors.size(), city.gates.size(), city.buildings.size(), wall, city.issues.size());
+                output.c_str(), city.sectors.size(), city.gates.size(), city.buildings.size(), wall,
+                city.issues.size());
   out << line;
   out << "next: vicus check " << output << "; vicus serve " << output << "\n";
   return out.str();
@@ -145,8 +150,10 @@ void run(const Arguments& arguments, Context& context) {
   const auto artefacts = export_artefacts(city, package);
   for (const auto& s : city.sectors)
     if (s.bytes > options.budget_bytes)
-      city.issues.push_back({IssueCode::over_budget,
-                             "sector " + s.id + " takes " + std::to_string(s.bytes) + " bytes and has no chord left to cut at", s.id, s.origin});
+      city.issues.push_back(
+          {IssueCode::over_budget,
+           "sector " + s.id + " takes " + std::to_string(s.bytes) + " bytes and has no chord left to cut at", s.id,
+           s.origin});
   write_city(arguments.output, city, artefacts);
   clock.end();
   if (arguments.strict && !city.issues.empty()) context.exit_code = kRuleBroken;
@@ -156,10 +163,13 @@ void run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 void add_build(CLI::App& app, Context& context) {
-  auto* command = new_command(app, context, "build", "derive a city from a map: sectors, gates, houses, X3D",
-                              "vicus build city.osm.pbf -o city.gpkg\n  vicus build buildings.gpkg streets.gpkg -o city.gpkg");
+  auto* command =
+      new_command(app, context, "build", "derive a city from a map: sectors, gates, houses, X3D",
+                  "vicus build city.osm.pbf -o city.gpkg\n  vicus build buildings.gpkg streets.gpkg -o city.gpkg");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("INPUT", arguments->inputs, "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf")
+  command
+      ->add_option("INPUT", arguments->inputs,
+                   "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf")
       ->required();
   command->add_option("-o,--output", arguments->output, "the city file to write")->required();
   command->add_option("--boundary", arguments->boundary, "a polygon file: what belongs to the city");
@@ -167,7 +177,8 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
   command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
   command->add_option("--threads", arguments->threads, "0: all cores");
-  command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")->check(CLI::Range(10u, 100000u));
+  command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
+      ->check(CLI::Range(10u, 100000u));
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
   command->add_flag("--fresh-ids", arguments->fresh_ids, "do not keep the sector ids of the city that is replaced");
   command->callback([arguments, &context] { run(*arguments, context); });

@@ -61,7 +61,8 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   GroundOptions ground;
   CutOptions cuts;
   std::vector<PlanPoint> needed;
-  for (;; cuts.join_across_islands = true, ground.no_islands.insert(ground.no_islands.end(), needed.begin(), needed.end())) {
+  for (;; cuts.join_across_islands = true,
+          ground.no_islands.insert(ground.no_islands.end(), needed.begin(), needed.end())) {
     std::sort(ground.no_islands.begin(), ground.no_islands.end());
     plan.ground = make_ground(cover, ground);
     plan.routes = route_axes(plan.ground, map.axes, map.areas);
@@ -74,7 +75,8 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
     if (needed.empty()) break;
   }
   split_heavy_cells(plan.ground, plan.cells, limit);
-  if (plan.cells.kind.empty()) throw CityError("no walkable ground: no street, path or square reaches any open ground", 4);
+  if (plan.cells.kind.empty())
+    throw CityError("no walkable ground: no street, path or square reaches any open ground", 4);
 
   clock.begin("records");
   write_sectors(map, plan, city);

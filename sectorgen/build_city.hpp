@@ -40,7 +40,7 @@ double peak_resident_mb();
 struct BuildOptions {
   std::uint64_t budget_bytes = 200'000;  ///< per sector, as sent
   unsigned threads = 0;                  ///< 0: all cores
-  const City* previous = nullptr;        ///< the city built before, whose sector ids are kept where sectors are the same
+  const City* previous = nullptr;  ///< the city built before, whose sector ids are kept where sectors are the same
   std::function<void(const char* stage)> on_stage;  ///< progress
 };
 

@@ -27,9 +27,12 @@ struct Split {
   PlanPoint at;
 };
 
-std::int32_t cell_of(std::int32_t v) { return v >= 0 ? v / kNodingCellMm : -((-v + kNodingCellMm - 1) / kNodingCellMm); }
+std::int32_t cell_of(std::int32_t v) {
+  return v >= 0 ? v / kNodingCellMm : -((-v + kNodingCellMm - 1) / kNodingCellMm);
+}
 std::uint64_t cell_key(std::int32_t cx, std::int32_t cy) {
-  return (std::uint64_t{static_cast<std::uint32_t>(cx) ^ 0x80000000u} << 32) | (static_cast<std::uint32_t>(cy) ^ 0x80000000u);
+  return (std::uint64_t{static_cast<std::uint32_t>(cx) ^ 0x80000000u} << 32) |
+         (static_cast<std::uint32_t>(cy) ^ 0x80000000u);
 }
 
 /// Every cell the piece, widened by 1 mm, may touch: column by column, so that long slanted ones stay cheap.
@@ -79,7 +82,8 @@ void test_pair(const std::vector<Piece>& pieces, std::uint32_t i, std::uint32_t 
   const Piece &s = pieces[i], &t = pieces[j];
   if (!s.is_new && !t.is_new) return;
   if (s.b.x + 1 < t.a.x || t.b.x + 1 < s.a.x) return;
-  if (std::max(s.a.y, s.b.y) + 1 < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) + 1 < std::min(s.a.y, s.b.y)) return;
+  if (std::max(s.a.y, s.b.y) + 1 < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) + 1 < std::min(s.a.y, s.b.y))
+    return;
   bool touched = false;
   const auto pass = [&](std::uint32_t k, const Piece& piece, PlanPoint p) {
     if (!passes(piece, p)) return;
@@ -115,8 +119,9 @@ std::vector<Split> find_splits(const std::vector<Piece>& pieces) {
   }
   const auto key = [&](const Split& s) { return std::make_pair(s.piece, s.at); };
   std::sort(splits.begin(), splits.end(), [&](const Split& a, const Split& b) { return key(a) < key(b); });
-  splits.erase(std::unique(splits.begin(), splits.end(), [&](const Split& a, const Split& b) { return key(a) == key(b); }),
-               splits.end());
+  splits.erase(
+      std::unique(splits.begin(), splits.end(), [&](const Split& a, const Split& b) { return key(a) == key(b); }),
+      splits.end());
   return splits;
 }
 
@@ -165,9 +170,9 @@ void make_distinct(std::vector<Piece>& pieces) {
   std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
     return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.is_new < q.is_new;
   });
-  pieces.erase(
-      std::unique(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) { return p.a == q.a && p.b == q.b; }),
-      pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end(),
+                           [](const Piece& p, const Piece& q) { return p.a == q.a && p.b == q.b; }),
+               pieces.end());
 }
 
 }  // namespace

@@ -51,9 +51,7 @@ inline int in_circle(PlanPoint a, PlanPoint b, PlanPoint c, PlanPoint d) {
 }
 
 /// p lies on the closed segment ab.
-inline bool on_segment(PlanPoint a, PlanPoint b, PlanPoint p) {
-  return orient(a, b, p) == 0 && dot(p, a, b) <= 0;
-}
+inline bool on_segment(PlanPoint a, PlanPoint b, PlanPoint p) { return orient(a, b, p) == 0 && dot(p, a, b) <= 0; }
 
 /// The open segments ab and cd cross in one point that is an end of neither.
 inline bool cross_properly(PlanPoint a, PlanPoint b, PlanPoint c, PlanPoint d) {

@@ -17,9 +17,11 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                                       CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel,
+                                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Cdt =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 /// Sorted unique points, the mesh's own numbering, independent of input order; and each input point's number in it.
 struct Numbering {
@@ -71,7 +73,8 @@ void flip(Mesh& mesh, std::uint32_t t, int k) {
   Triangle& left = mesh.triangles[t];
   Triangle& right = mesh.triangles[n];
   const auto i = [](int v) { return static_cast<std::size_t>(v % 3); };
-  const std::uint32_t a = left.corner[i(k)], b = left.corner[i(k + 1)], d = left.corner[i(k + 2)], c = right.corner[i(m)];
+  const std::uint32_t a = left.corner[i(k)], b = left.corner[i(k + 1)], d = left.corner[i(k + 2)],
+                      c = right.corner[i(m)];
   const std::uint32_t left_b = left.neighbour[i(k + 1)], left_d = left.neighbour[i(k + 2)];
   const std::uint32_t edge_b = left.edge[i(k + 1)], edge_d = left.edge[i(k + 2)];
   const std::uint32_t right_d = right.neighbour[i(m + 1)], right_b = right.neighbour[i(m + 2)];
@@ -110,7 +113,8 @@ void canonicalise(Mesh& mesh) {
       const std::uint32_t c = mesh.corner(n, mesh.twin_side(t, k));
       if (std::min(a, c) > std::min(b, d)) continue;
       const auto& p = mesh.points;
-      if (in_circle(p[a], p[b], p[d], p[c]) != 0 || orient(p[a], p[b], p[c]) <= 0 || orient(p[a], p[c], p[d]) <= 0) continue;
+      if (in_circle(p[a], p[b], p[d], p[c]) != 0 || orient(p[a], p[b], p[c]) <= 0 || orient(p[a], p[c], p[d]) <= 0)
+        continue;
       flip(mesh, t, k);
       queue.push_back(t);
       queue.push_back(n);

@@ -15,15 +15,15 @@ enum class Closed : char { no, yard, courtyard, outside };
 
 /// Which cell each free triangle belongs to; kNone: not walkable (closed off, or never reached).
 struct Cells {
-  std::vector<std::uint32_t> of;    ///< per triangle
-  std::vector<CellKind> kind;       ///< per cell
-  std::vector<Closed> closed;       ///< per triangle
+  std::vector<std::uint32_t> of;  ///< per triangle
+  std::vector<CellKind> kind;     ///< per cell
+  std::vector<Closed> closed;     ///< per triangle
 };
 
 struct CutOptions {
-  double piece_m = 120;       ///< long streets are cut into pieces about this long
+  double piece_m = 120;              ///< long streets are cut into pieces about this long
   bool join_across_islands = false;  ///< cells that would meet across an island become one
-  double fence_m = 0.9;       ///< ground behind gaps narrower than this is closed off
+  double fence_m = 0.9;              ///< ground behind gaps narrower than this is closed off
 };
 
 /// Street and junction cells from the used edges, yards behind them.
@@ -34,11 +34,12 @@ Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& op
 /// one street.
 void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
 
-/// A sector's bytes grow with the sides of its ground: about kBytesPerSide each (docs/figures.md), with the house behind.
+/// A sector's bytes grow with the sides of its ground: about kBytesPerSide each (docs/figures.md), with the house
+/// behind.
 inline constexpr std::uint64_t kBytesPerSide = 45;
 
-/// Cells with more sides than the limit are halved until none has: rule 6 of DESIGN §3. Their small obstacles must be in
-/// the mesh first: the first function names those that are not.
+/// Cells with more sides than the limit are halved until none has: rule 6 of DESIGN §3. Their small obstacles must be
+/// in the mesh first: the first function names those that are not.
 std::vector<PlanPoint> islands_in_heavy_cells(const Ground& ground, const Cells& cells, std::uint32_t limit);
 void split_heavy_cells(const Ground& ground, Cells& cells, std::uint32_t limit);
 

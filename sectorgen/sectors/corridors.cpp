@@ -12,11 +12,12 @@ namespace vicus {
 namespace {
 
 constexpr std::int64_t kPerMille = 1000;
-constexpr std::int64_t kAddedPenalty = 20;        // per mille for each T-vertex: of like cuts the one at corners or party walls
-constexpr std::int64_t kDistancePenalty = 250;    // per mille per width away from the junction
-constexpr std::int64_t kMouthReach = 60'000;      // mm
-constexpr std::int64_t kNarrowStreet = 6'000;     // mm: narrower ones count as this wide
-constexpr std::int64_t kMouthsApart = 8'000;      // mm
+constexpr std::int64_t kAddedPenalty =
+    20;  // per mille for each T-vertex: of like cuts the one at corners or party walls
+constexpr std::int64_t kDistancePenalty = 250;  // per mille per width away from the junction
+constexpr std::int64_t kMouthReach = 60'000;    // mm
+constexpr std::int64_t kNarrowStreet = 6'000;   // mm: narrower ones count as this wide
+constexpr std::int64_t kMouthsApart = 8'000;    // mm
 constexpr std::int64_t kJunctionSpan = 70'000, kJunctionSpanMax = 150'000;  // mm
 
 struct EdgeRef {
@@ -67,7 +68,8 @@ struct Extent {
   std::array<std::int64_t, 8> low{}, high{};
   bool any = false;
   void add(PlanPoint p) {
-    constexpr std::int64_t dx[8] = {1000, 924, 707, 383, 0, -383, -707, -924}, dy[8] = {0, 383, 707, 924, 1000, 924, 707, 383};
+    constexpr std::int64_t dx[8] = {1000, 924, 707, 383, 0, -383, -707, -924},
+                           dy[8] = {0, 383, 707, 924, 1000, 924, 707, 383};
     for (std::size_t i = 0; i < 8; ++i) {
       const std::int64_t v = (dx[i] * p.x + dy[i] * p.y) / 1000;
       low[i] = any ? std::min(low[i], v) : v;
@@ -182,7 +184,8 @@ std::size_t find_mouth(const Corridor& c, int end) {
 }
 
 /// Chords that cut the stretch first..last into pieces of about piece_mm.
-void cut_long(const Corridor& c, std::size_t first, std::size_t last, std::int64_t piece_mm, std::vector<std::size_t>& out) {
+void cut_long(const Corridor& c, std::size_t first, std::size_t last, std::int64_t piece_mm,
+              std::vector<std::size_t>& out) {
   const std::int64_t from = c.along_mm[first], length = c.along_mm[last] - from;
   const std::int64_t n = (length + piece_mm - 1) / piece_mm;
   if (n < 2) return;

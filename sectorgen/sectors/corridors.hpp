@@ -27,8 +27,8 @@ std::vector<Corridor> find_corridors(const Ground& ground, const Routes& routes,
 std::vector<std::uint32_t> edges_across_islands(const Ground& ground);
 
 struct Cuts {
-  std::vector<char> is_cut;          ///< per edge id
-  std::vector<char> in_junction;     ///< per triangle: part of a crossroads before cutting
+  std::vector<char> is_cut;       ///< per edge id
+  std::vector<char> in_junction;  ///< per triangle: part of a crossroads before cutting
 };
 
 Cuts choose_cuts(const Ground& ground, const std::vector<Corridor>& corridors, const CutOptions& options);

@@ -9,11 +9,11 @@
 namespace vicus {
 namespace {
 
-constexpr std::int64_t kDeepMm = 30'000;       // ground farther than this from any street is a yard of its own
-constexpr double kNicheM2 = 40;                // smaller ground behind a narrow gap joins the street
-constexpr double kForecourtM2 = 400;           // smaller ground behind a kerb joins the street
+constexpr std::int64_t kDeepMm = 30'000;        // ground farther than this from any street is a yard of its own
+constexpr double kNicheM2 = 40;                 // smaller ground behind a narrow gap joins the street
+constexpr double kForecourtM2 = 400;            // smaller ground behind a kerb joins the street
 constexpr double kPocketM2 = 150, kNeck = 0.5;  // a yard begins at a neck narrower than half its side
-constexpr std::int64_t kRimMm = 8'000;         // a yard open to the city's edge this far is not part of the city
+constexpr std::int64_t kRimMm = 8'000;          // a yard open to the city's edge this far is not part of the city
 
 double area_m2(const Ground& g, std::uint32_t t) {
   const auto& c = g.mesh.triangles[t].corner;
@@ -23,7 +23,8 @@ double area_m2(const Ground& g, std::uint32_t t) {
 /// Disjoint sets of triangles; a set may have a seed (its cell) and knows its area.
 class Sets {
  public:
-  explicit Sets(const Ground& g) : parent_(g.mesh.triangles.size()), seed_(parent_.size(), kNone), area_(parent_.size()) {
+  explicit Sets(const Ground& g)
+      : parent_(g.mesh.triangles.size()), seed_(parent_.size(), kNone), area_(parent_.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (std::uint32_t t = 0; t < parent_.size(); ++t) area_[t] = g.is_free[t] ? area_m2(g, t) : 0;
   }
@@ -123,8 +124,7 @@ void seed_sets(const Ground& g, const Routes& r, const Cuts& cuts, Sets& sets, s
 
 /// Maximum spanning forest: cells meet where the ground between them is narrowest.
 void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& options,
-          const std::vector<std::uint32_t>& across,
-          Sets& sets, std::vector<CellKind>& kind) {
+          const std::vector<std::uint32_t>& across, Sets& sets, std::vector<CellKind>& kind) {
   std::vector<ForestEdge> edges;
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -134,7 +134,10 @@ void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& 
       if (r.is_used[id] && cuts.is_cut[id]) continue;
       const bool is_kerb = g.mesh.triangles[t].edge[static_cast<std::size_t>(k)] != kNone;
       const PlanPoint u = g.from(t, k), v = g.to(t, k);
-      edges.push_back({across[id] != kNone ? kNever : is_kerb ? 0 : length_mm(u, v), std::min(u, v), std::max(u, v), t, n, is_kerb});
+      edges.push_back({across[id] != kNone ? kNever
+                       : is_kerb           ? 0
+                                           : length_mm(u, v),
+                       std::min(u, v), std::max(u, v), t, n, is_kerb});
     }
   std::sort(edges.begin(), edges.end());
   const auto narrow = static_cast<std::int64_t>(options.fence_m * kMmPerMetre);

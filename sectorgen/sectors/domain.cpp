@@ -114,7 +114,8 @@ std::vector<Stroke> connecting(std::vector<Stretch> all) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       auto& s = all[i];
       if (dead[i]) continue;
-      const bool loose = (!s.anchored[0] && degree[s.line.front()] < 2) || (!s.anchored[1] && degree[s.line.back()] < 2);
+      const bool loose =
+          (!s.anchored[0] && degree[s.line.front()] < 2) || (!s.anchored[1] && degree[s.line.back()] < 2);
       if (!loose) continue;
       dead[i] = 1;
       changed = true;
@@ -160,13 +161,14 @@ std::vector<Polygon> make_domain(const SourceMap& map, const Blocks& blocks) {
   Mask inside(raster.size());
   for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = to_outside[i] > static_cast<float>(kCityShrink);
   std::vector<Polygon> domain = outlines(raster, inside);
-  for (auto& p : stroke_outlines(connecting(stretches_outside(map, raster, inside)), Cap::flat)) domain.push_back(std::move(p));
+  for (auto& p : stroke_outlines(connecting(stretches_outside(map, raster, inside)), Cap::flat))
+    domain.push_back(std::move(p));
   return domain;
 }
 
 namespace {
 
-constexpr double kOpenRadius = 8;   // m
+constexpr double kOpenRadius = 8;    // m
 constexpr double kKerbRun = 20;      // m: shorter open sides get no kerb
 constexpr double kKerbSpacing = 12;  // m between its vertices: where a cut may begin
 constexpr double kKerbJoin = 6;      // m: carriageways nearer than twice this share one strip
@@ -275,7 +277,8 @@ void add_open_sides(const Polygon& strip, const PlanBox& tile, Clear clear_at, s
     const Line closed = densified(r);
     // Two discs side by side away from the street must be free of obstacles.
     const auto is_open = [&](std::size_t i) {
-      const PlanPoint p = closed[i], a = closed[(i + closed.size() - 1) % closed.size()], b = closed[(i + 1) % closed.size()];
+      const PlanPoint p = closed[i], a = closed[(i + closed.size() - 1) % closed.size()],
+                      b = closed[(i + 1) % closed.size()];
       return clear_at(p) >= kOpenRadius / 2 && clear_at(right_of(a, b, p, kOpenSide * 2 / 3)) >= kOpenRadius &&
              clear_at(right_of(a, b, p, kOpenSide * 4 / 3)) >= kOpenRadius;
     };
@@ -314,10 +317,12 @@ void add_tiled_kerbs(const std::vector<Stroke>& open, Clear clear_at, std::vecto
   for (int ty = tile_of(all.min.y) - 1; ty <= tile_of(all.max.y) + 1; ++ty)
     for (int tx = tile_of(all.min.x) - 1; tx <= tile_of(all.max.x) + 1; ++tx) {
       const PlanBox tile{{tx * kTileMm, ty * kTileMm}, {(tx + 1) * kTileMm, (ty + 1) * kTileMm}};
-      const PlanBox around{{tile.min.x - kTileMarginMm, tile.min.y - kTileMarginMm}, {tile.max.x + kTileMarginMm, tile.max.y + kTileMarginMm}};
+      const PlanBox around{{tile.min.x - kTileMarginMm, tile.min.y - kTileMarginMm},
+                           {tile.max.x + kTileMarginMm, tile.max.y + kTileMarginMm}};
       std::vector<Stroke> near;
       for (std::uint32_t i : index.meeting(around)) near.push_back(open[i]);
-      for (const auto& strip : close_gaps(stroke_outlines(near, Cap::round), kKerbJoin)) add_open_sides(strip, tile, clear_at, kerbs);
+      for (const auto& strip : close_gaps(stroke_outlines(near, Cap::round), kKerbJoin))
+        add_open_sides(strip, tile, clear_at, kerbs);
     }
 }
 

@@ -16,7 +16,8 @@ constexpr double kPi = 3.14159265358979323846;
 std::uint32_t cell_near(const Plan& plan, const Locator& locator, PlanPoint p) {
   for (double radius : {0.0, 1.0, 3.0, 6.0, 10.0})
     for (int k = 0; k < (radius > 0 ? 8 : 1); ++k) {
-      const PlanPoint q{p.x + lattice_mm(radius * std::cos(k * kPi / 4)), p.y + lattice_mm(radius * std::sin(k * kPi / 4))};
+      const PlanPoint q{p.x + lattice_mm(radius * std::cos(k * kPi / 4)),
+                        p.y + lattice_mm(radius * std::sin(k * kPi / 4))};
       const std::uint32_t t = locator.locate(q);
       if (t != kNone && plan.cells.of[t] != kNone) return plan.cells.of[t];
     }
@@ -47,7 +48,8 @@ void add_viewpoints(const Plan& plan, City& city) {
     const auto it = best.find(c);
     if (it != best.end() && (it->second.distance < d || (it->second.distance == d && it->second.at < middle))) return;
     // Across the chord is along the street; take the direction in which more of the sector lies.
-    double heading = std::atan2(-(double(b.y) - a.y), double(b.x) - a.x) * 180 / kPi;  // of the normal, clockwise from north
+    double heading =
+        std::atan2(-(double(b.y) - a.y), double(b.x) - a.x) * 180 / kPi;  // of the normal, clockwise from north
     std::int64_t ahead = 0, behind = 0;
     for (PlanPoint p : s.ground.outer) {
       const std::int64_t side = orient(a, b, p);

@@ -43,7 +43,8 @@ std::vector<LayerEdge> layer_edges(const std::vector<NodedPart>& map) {
       out.push_back(e);
       continue;
     }
-    for (std::size_t l = 0; l < kLayers; ++l) out.back().delta[l] = static_cast<std::int16_t>(out.back().delta[l] + e.delta[l]);
+    for (std::size_t l = 0; l < kLayers; ++l)
+      out.back().delta[l] = static_cast<std::int16_t>(out.back().delta[l] + e.delta[l]);
     out.back().is_kerb = out.back().is_kerb || e.is_kerb;
   }
   if (!out.empty() && !out.back().matters()) out.pop_back();
@@ -73,7 +74,8 @@ std::vector<Cover> flood(const Mesh& mesh, const std::vector<LayerEdge>& edges) 
     const std::uint32_t e = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
     if (e == kNone) return d;
     const bool forward = mesh.corner(t, k + 1) < mesh.corner(t, k + 2);  // points are sorted, so a < b
-    for (std::size_t l = 0; l < kLayers; ++l) d[l] = static_cast<std::int16_t>(forward ? edges[e].delta[l] : -edges[e].delta[l]);
+    for (std::size_t l = 0; l < kLayers; ++l)
+      d[l] = static_cast<std::int16_t>(forward ? edges[e].delta[l] : -edges[e].delta[l]);
     return d;
   };
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -100,7 +102,10 @@ std::vector<Cover> flood(const Mesh& mesh, const std::vector<LayerEdge>& edges) 
 
 bool is_free(const Cover& c) { return c[kDomain] > 0 && c[kHouse] <= 0 && c[kWall] <= 0 && c[kWater] <= 0; }
 Beyond beyond_of(const Cover& c) {
-  return c[kHouse] > 0 ? Beyond::house : c[kWall] > 0 ? Beyond::wall : c[kWater] > 0 ? Beyond::water : Beyond::city_edge;
+  return c[kHouse] > 0   ? Beyond::house
+         : c[kWall] > 0  ? Beyond::wall
+         : c[kWater] > 0 ? Beyond::water
+                         : Beyond::city_edge;
 }
 
 /// Components of blocked triangles inside the city that are small and touch no other: island number per triangle.
@@ -217,13 +222,14 @@ std::vector<PlanPoint> candidates(const Mesh& mesh, std::uint32_t t, int k, doub
 }
 
 /// Outlines of the marked triangles, inside on the left, as polygons.
-std::vector<Polygon> outline(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& group,
-                             std::uint32_t id) {
+std::vector<Polygon> outline(const Mesh& mesh, const std::vector<std::uint32_t>& triangles,
+                             const std::vector<std::uint32_t>& group, std::uint32_t id) {
   std::vector<std::pair<PlanPoint, PlanPoint>> out;
   for (std::uint32_t t : triangles)
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
-      if (n == kNone || group[n] != id) out.push_back({mesh.points[mesh.corner(t, k + 1)], mesh.points[mesh.corner(t, k + 2)]});
+      if (n == kNone || group[n] != id)
+        out.push_back({mesh.points[mesh.corner(t, k + 1)], mesh.points[mesh.corner(t, k + 2)]});
     }
   std::sort(out.begin(), out.end());
   std::vector<char> used(out.size(), 0);
@@ -234,8 +240,10 @@ std::vector<Polygon> outline(const Mesh& mesh, const std::vector<std::uint32_t>&
     for (std::size_t j = i; !used[j];) {
       used[j] = 1;
       walk.push_back(out[j].first);
-      auto next = std::lower_bound(out.begin(), out.end(), std::make_pair(out[j].second, PlanPoint{-kPlanLimit, -kPlanLimit}));
-      while (next != out.end() && next->first == out[j].second && used[static_cast<std::size_t>(next - out.begin())]) ++next;
+      auto next =
+          std::lower_bound(out.begin(), out.end(), std::make_pair(out[j].second, PlanPoint{-kPlanLimit, -kPlanLimit}));
+      while (next != out.end() && next->first == out[j].second && used[static_cast<std::size_t>(next - out.begin())])
+        ++next;
       if (next == out.end() || next->first != out[j].second) break;
       j = static_cast<std::size_t>(next - out.begin());
     }
@@ -245,8 +253,9 @@ std::vector<Polygon> outline(const Mesh& mesh, const std::vector<std::uint32_t>&
 }
 
 /// The constrained edges of the second mesh: sides of free ground with their T-vertices, and kerbs.
-std::vector<GroundEdge> ground_edges(const Mesh& mesh, const std::vector<LayerEdge>& edges, const std::vector<Cover>& cover,
-                                     const std::vector<std::uint32_t>& island, double piece_m, std::vector<GroundSide>& sides) {
+std::vector<GroundEdge> ground_edges(const Mesh& mesh, const std::vector<LayerEdge>& edges,
+                                     const std::vector<Cover>& cover, const std::vector<std::uint32_t>& island,
+                                     double piece_m, std::vector<GroundSide>& sides) {
   std::vector<GroundEdge> out;
   const auto free = [&](std::uint32_t t) { return t != kNone && (is_free(cover[t]) || island[t] != kNone); };
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -335,7 +344,8 @@ namespace {
 
 /// Takes the cover's freedom from ground that no point reaches: courtyards become blocked, what is open to the city's
 /// edge leaves the city. Returns the courtyards' triangles.
-std::vector<std::uint32_t> shut_unreached(const Mesh& mesh, const std::vector<PlanPoint>& reach, std::vector<Cover>& cover) {
+std::vector<std::uint32_t> shut_unreached(const Mesh& mesh, const std::vector<PlanPoint>& reach,
+                                          std::vector<Cover>& cover) {
   std::vector<char> seen(mesh.triangles.size(), 0);
   std::vector<std::uint32_t> component, courtyards;
   bool at_edge = false;
@@ -367,7 +377,8 @@ std::vector<std::uint32_t> shut_unreached(const Mesh& mesh, const std::vector<Pl
 
 }  // namespace
 
-CoverMesh::CoverMesh(const std::vector<NodedPart>& map, const std::vector<PlanPoint>& reach) : impl_(std::make_unique<Impl>()) {
+CoverMesh::CoverMesh(const std::vector<NodedPart>& map, const std::vector<PlanPoint>& reach)
+    : impl_(std::make_unique<Impl>()) {
   impl_->edges = layer_edges(map);
   std::vector<std::pair<PlanPoint, PlanPoint>> pieces;
   for (const auto& e : impl_->edges) pieces.push_back({e.a, e.b});
@@ -395,7 +406,8 @@ CoverMesh::~CoverMesh() = default;
 namespace {
 
 /// Small free-standing obstacles become islands; per triangle the island's number.
-std::vector<std::uint32_t> take_islands(const CoverMesh::Impl& first, const GroundOptions& options, std::vector<Island>& islands) {
+std::vector<std::uint32_t> take_islands(const CoverMesh::Impl& first, const GroundOptions& options,
+                                        std::vector<Island>& islands) {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> island = find_islands(first.mesh, first.cover, options.island_m2, count);
   std::vector<std::vector<std::uint32_t>> members(count);
@@ -403,8 +415,9 @@ std::vector<std::uint32_t> take_islands(const CoverMesh::Impl& first, const Grou
     if (island[t] != kNone) members[island[t]].push_back(t);
   for (std::uint32_t i = 0; i < count; ++i) {
     auto polygons = outline(first.mesh, members[i], island, i);
-    const bool is_island = polygons.size() == 1 && !std::binary_search(options.no_islands.begin(), options.no_islands.end(),
-                                                                       polygons[0].outer.front());
+    const bool is_island =
+        polygons.size() == 1 &&
+        !std::binary_search(options.no_islands.begin(), options.no_islands.end(), polygons[0].outer.front());
     if (is_island)
       islands.push_back({std::move(polygons[0]), beyond_of(first.cover[members[i].front()])});
     else

@@ -22,8 +22,8 @@ struct GroundSide {
 };
 
 struct GroundEdge {
-  PlanPoint a, b;             ///< ground on the left
-  std::uint32_t side = kNone; ///< index into Ground::sides; kNone: a kerb, ground on both sides
+  PlanPoint a, b;              ///< ground on the left
+  std::uint32_t side = kNone;  ///< index into Ground::sides; kNone: a kerb, ground on both sides
   bool is_kerb() const { return side == kNone; }
 };
 
@@ -33,14 +33,14 @@ struct Island {
 };
 
 struct Ground {
-  Mesh mesh;                          ///< of everything; edge[] indexes `edges`
-  std::vector<GroundEdge> edges;      ///< constrained edges
+  Mesh mesh;                      ///< of everything; edge[] indexes `edges`
+  std::vector<GroundEdge> edges;  ///< constrained edges
   std::vector<GroundSide> sides;
-  std::vector<char> is_free;          ///< per triangle
-  std::vector<char> is_added;         ///< per point: a T-vertex, not in the source
-  std::vector<Island> islands;        ///< small free-standing obstacles, left out of the mesh
-  std::vector<Ring> domain;           ///< outline of the city: simple rings, city on the left
-  std::vector<Polygon> courtyards;    ///< shut ground, not in the mesh
+  std::vector<char> is_free;        ///< per triangle
+  std::vector<char> is_added;       ///< per point: a T-vertex, not in the source
+  std::vector<Island> islands;      ///< small free-standing obstacles, left out of the mesh
+  std::vector<Ring> domain;         ///< outline of the city: simple rings, city on the left
+  std::vector<Polygon> courtyards;  ///< shut ground, not in the mesh
 
   /// A number for each undirected edge, from either side; size of such numbers.
   std::uint32_t edge_id(std::uint32_t t, int k) const;
@@ -49,7 +49,9 @@ struct Ground {
   bool is_city_edge(std::uint32_t t, int k) const;  ///< a free triangle's side where the city ends
   PlanPoint from(std::uint32_t t, int k) const { return mesh.points[mesh.corner(t, k + 1)]; }
   PlanPoint to(std::uint32_t t, int k) const { return mesh.points[mesh.corner(t, k + 2)]; }
-  std::uint32_t beyond(std::uint32_t t, int k) const { return mesh.triangles[t].neighbour[static_cast<std::size_t>(k)]; }
+  std::uint32_t beyond(std::uint32_t t, int k) const {
+    return mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
+  }
 };
 
 /// The noded map triangulated, with how many features of each layer cover each triangle: the ground before small
@@ -71,9 +73,9 @@ class CoverMesh {
 };
 
 struct GroundOptions {
-  double island_m2 = 60;      ///< smaller free-standing obstacles become islands
+  double island_m2 = 60;              ///< smaller free-standing obstacles become islands
   std::vector<PlanPoint> no_islands;  ///< sorted: small obstacles with this first point stay in the mesh
-  double piece_m = 6;         ///< facades get a candidate vertex at least this often
+  double piece_m = 6;                 ///< facades get a candidate vertex at least this often
 };
 
 /// Error   a facade bends by at most 0.71 mm at a T-vertex; else none.

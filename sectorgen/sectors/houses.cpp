@@ -14,7 +14,8 @@ Facades::Facades(const Plan& plan, const Bends& bends) {
     if (part.layer != Layer::house) continue;
     const Ring ring = bends.apply(part.points);
     for (std::size_t i = 0; i < ring.size(); ++i)
-      if (ring[i] != ring[(i + 1) % ring.size()]) sides_.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
+      if (ring[i] != ring[(i + 1) % ring.size()])
+        sides_.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
   }
   std::sort(sides_.begin(), sides_.end(), less);
 }
@@ -114,7 +115,8 @@ struct HouseWriter {
         const std::uint32_t i = building_with_edge(house, border.line[k], border.line[k + 1]);
         if (i == kNone) continue;
         shares[i][border.sector_id] += length_mm(border.line[k], border.line[k + 1]);
-        if (i != last || k == 0) borders.push_back({border.sector_id, city.buildings[i].id, border.kind, border.height_m, {border.line[k]}});
+        if (i != last || k == 0)
+          borders.push_back({border.sector_id, city.buildings[i].id, border.kind, border.height_m, {border.line[k]}});
         borders.back().line.push_back(border.line[k + 1]);
         last = i;
       }
@@ -145,7 +147,8 @@ struct HouseWriter {
       std::uint32_t best = kNone;
       std::int64_t least = 0;
       for (std::uint32_t i : index.meeting(around)) {
-        const PlanPoint c{boxes[i].min.x + (boxes[i].max.x - boxes[i].min.x) / 2, boxes[i].min.y + (boxes[i].max.y - boxes[i].min.y) / 2};
+        const PlanPoint c{boxes[i].min.x + (boxes[i].max.x - boxes[i].min.x) / 2,
+                          boxes[i].min.y + (boxes[i].max.y - boxes[i].min.y) / 2};
         const std::int64_t d = distance2(c, centre);
         if (best == kNone || d < least) best = buildings[i], least = d;
       }

@@ -29,7 +29,8 @@ class Facades {
   friend struct HouseWriter;
 };
 
-/// Appends the buildings; turns Border::building_id from house numbers into building ids; chooses each building's sector.
+/// Appends the buildings; turns Border::building_id from house numbers into building ids; chooses each building's
+/// sector.
 void write_houses(const SourceMap& map, const Plan& plan, const Bends& bends, const Facades& facades,
                   const std::vector<std::pair<PlanPoint, PlanPoint>>& closed_edges, City& city);
 

@@ -57,7 +57,8 @@ double common_m2(const Sector& a, const Sector& b) {
   for (const auto& hole : a.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
   double sum = 0;
   for (std::size_t i = 0; i + 2 < a.ground_triangles.size(); i += 3) {
-    const PlanPoint p = points[a.ground_triangles[i]], q = points[a.ground_triangles[i + 1]], r = points[a.ground_triangles[i + 2]];
+    const PlanPoint p = points[a.ground_triangles[i]], q = points[a.ground_triangles[i + 1]],
+                    r = points[a.ground_triangles[i + 2]];
     const PlanPoint centre{static_cast<std::int32_t>((std::int64_t{p.x} + q.x + r.x) / 3),
                            static_cast<std::int32_t>((std::int64_t{p.y} + q.y + r.y) / 3)};
     if (locate(b.ground, centre) != Side::outside) sum += static_cast<double>(orient(p, q, r)) / 2e6;
@@ -77,14 +78,16 @@ std::vector<const Sector*> successors(const City* previous, const City& city) {
   for (std::uint32_t i = 0; i < city.sectors.size(); ++i)
     for (std::uint32_t j : index.meeting(bounds_of(city.sectors[i].ground))) {
       const Sector &now = city.sectors[i], &was = previous->sectors[j];
-      const double common = now.ground.outer == was.ground.outer ? area_m2(now.ground) : std::max(common_m2(now, was), common_m2(was, now));
+      const double common = now.ground.outer == was.ground.outer ? area_m2(now.ground)
+                                                                 : std::max(common_m2(now, was), common_m2(was, now));
       if (common > best_of_new[i].first) best_of_new[i] = {common, j};
       if (common > best_of_old[j].first) best_of_old[j] = {common, i};
     }
   for (std::uint32_t i = 0; i < city.sectors.size(); ++i) {
     const auto [common, j] = best_of_new[i];
     if (j == kNone || best_of_old[j].second != i) continue;
-    if (2 * common > area_m2(city.sectors[i].ground) && 2 * common > area_m2(previous->sectors[j].ground)) out[i] = &previous->sectors[j];
+    if (2 * common > area_m2(city.sectors[i].ground) && 2 * common > area_m2(previous->sectors[j].ground))
+      out[i] = &previous->sectors[j];
   }
   return out;
 }
@@ -136,9 +139,11 @@ void number_gates(City& city) {
   int n = 0;
   for (std::size_t i = 0; i < city.gates.size(); ++i) {
     Gate& g = city.gates[i];
-    const bool same = i > 0 && city.gates[i - 1].sector_id == g.sector_id && city.gates[i - 1].to_sector_id == g.to_sector_id;
+    const bool same =
+        i > 0 && city.gates[i - 1].sector_id == g.sector_id && city.gates[i - 1].to_sector_id == g.to_sector_id;
     n = same ? n + 1 : 1;
-    g.id = g.sector_id + "." + (g.to_sector_id.empty() ? "out" : g.to_sector_id) + (n > 1 ? "." + std::to_string(n) : "");
+    g.id =
+        g.sector_id + "." + (g.to_sector_id.empty() ? "out" : g.to_sector_id) + (n > 1 ? "." + std::to_string(n) : "");
   }
   std::map<std::vector<PlanPoint>, std::vector<std::size_t>> by_line;
   for (std::size_t i = 0; i < city.gates.size(); ++i) by_line[city.gates[i].line].push_back(i);
@@ -148,7 +153,8 @@ void number_gates(City& city) {
     const auto it = by_line.find(reversed);
     if (it == by_line.end()) continue;
     for (std::size_t i : it->second)
-      if (city.gates[i].to_sector_id == g.sector_id && city.gates[i].sector_id == g.to_sector_id) g.twin_id = city.gates[i].id;
+      if (city.gates[i].to_sector_id == g.sector_id && city.gates[i].sector_id == g.to_sector_id)
+        g.twin_id = city.gates[i].id;
   }
   std::sort(city.gates.begin(), city.gates.end(), [](const Gate& a, const Gate& b) { return a.id < b.id; });
 }

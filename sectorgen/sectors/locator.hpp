@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sectorgen/sectors/raster.hpp"
 #include "sectorgen/sectors/ground.hpp"
+#include "sectorgen/sectors/raster.hpp"
 
 /// Which triangle of the ground's mesh holds a point.
 namespace vicus {

@@ -10,10 +10,10 @@ namespace {
 
 // Thresholds of research/SECTORS.md §4.8, set by eye there.
 constexpr double kOwnCrossroadsM2 = 900, kOwnCrossroadsSpan = 55;  // m2, m
-constexpr double kLengthAim = 162;                                  // m
-constexpr double kYardFront = 0.4;  // of the smaller yard's span
+constexpr double kLengthAim = 162;                                 // m
+constexpr double kYardFront = 0.4;                                 // of the smaller yard's span
 constexpr double kSliverM2 = 80, kSliverSpan = 12;
-constexpr double kJoinSpan = 120, kJoinConvexity = 0.8;             // pieces of one street
+constexpr double kJoinSpan = 120, kJoinConvexity = 0.8;  // pieces of one street
 
 struct Border {
   std::int64_t mm = 0;       // all edges between the two cells
@@ -42,7 +42,8 @@ struct Cell {
 
 class Merger {
  public:
-  Merger(const Ground& g, const Routes& r, Cells& cells) : cells_(cells), cell_(cells.kind.size()), root_(cells.kind.size()) {
+  Merger(const Ground& g, const Routes& r, Cells& cells)
+      : cells_(cells), cell_(cells.kind.size()), root_(cells.kind.size()) {
     std::vector<std::vector<PlanPoint>> points(cell_.size());
     for (std::uint32_t c = 0; c < cell_.size(); ++c) {
       cell_[c].kind = cells.kind[c];
@@ -52,7 +53,9 @@ class Merger {
       const std::uint32_t c = cells.of[t];
       if (c == kNone) continue;
       const auto& corner = g.mesh.triangles[t].corner;
-      cell_[c].area += static_cast<double>(orient(g.mesh.points[corner[0]], g.mesh.points[corner[1]], g.mesh.points[corner[2]])) / 2e6;
+      cell_[c].area +=
+          static_cast<double>(orient(g.mesh.points[corner[0]], g.mesh.points[corner[1]], g.mesh.points[corner[2]])) /
+          2e6;
       for (std::uint32_t p : corner) points[c].push_back(g.mesh.points[p]);
       for (int k = 0; k < 3; ++k) {
         if (!g.is_crossable(t, k)) continue;

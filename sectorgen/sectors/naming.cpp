@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::int64_t kBearsNameMm = 6'000;  // of centre line inside: the sector bears the street's name
 constexpr double kOpenM2 = 3'000;
-constexpr double kStreetOpening = 5.0;        // m (research/SECTORS.md §6)
+constexpr double kStreetOpening = 5.0;  // m (research/SECTORS.md §6)
 
 /// Area of the cells' triangles whose centre lies in each of the polygons: (cell, polygon) -> m2.
-std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered(const Plan& plan, const std::vector<Polygon>& polygons) {
+std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered(const Plan& plan,
+                                                                  const std::vector<Polygon>& polygons) {
   std::vector<PlanBox> boxes;
   for (const auto& p : polygons) boxes.push_back(bounds_of(p));
   const BoxIndex index(boxes);
@@ -63,7 +64,8 @@ void name_sectors(const SourceMap& map, const Plan& plan, City& city) {
     if (area.kind == AreaKind::square) squares.push_back(area.area), square_names.push_back(area.name);
     if (area.kind == AreaKind::park) parks.push_back(area.area), park_names.push_back(area.name);
   }
-  const auto in_square = covered(plan, squares), in_park = covered(plan, parks), in_passage = covered(plan, plan.blocks.passages);
+  const auto in_square = covered(plan, squares), in_park = covered(plan, parks),
+             in_passage = covered(plan, plan.blocks.passages);
   const auto best_area = [&](const auto& cover, std::uint32_t c, double total) {
     std::uint32_t best = kNone;
     double most = total / 2;
@@ -84,9 +86,12 @@ void name_sectors(const SourceMap& map, const Plan& plan, City& city) {
     }
     if (!s.name.empty() && s.names.empty()) s.names.push_back(s.name);
     const bool is_yard = plan.cells.kind[c] == CellKind::yard;
-    s.kind = is_yard ? SectorKind::yard : plan.cells.kind[c] == CellKind::junction ? SectorKind::crossroads : SectorKind::street;
+    s.kind = is_yard                                    ? SectorKind::yard
+             : plan.cells.kind[c] == CellKind::junction ? SectorKind::crossroads
+                                                        : SectorKind::street;
     double below = 0;
-    for (auto it = in_passage.lower_bound({c, 0}); it != in_passage.end() && it->first.first == c; ++it) below += it->second;
+    for (auto it = in_passage.lower_bound({c, 0}); it != in_passage.end() && it->first.first == c; ++it)
+      below += it->second;
     const std::uint32_t square = best_area(in_square, c, area), park = best_area(in_park, c, area);
     const auto take = [&](const std::string& name) {
       if (name.empty()) return;
@@ -102,9 +107,10 @@ void name_sectors(const SourceMap& map, const Plan& plan, City& city) {
       if (park != kNone) take(park_names[park]);
       if (looks_like_street(city, c, gates, plan.cells)) {
         s.kind = SectorKind::street;
-        city.issues.push_back({IssueCode::unmapped_street,
-                               "open ground between two streets looks like a street without a centre line; it became a sector of its own",
-                               "", s.origin});
+        city.issues.push_back(
+            {IssueCode::unmapped_street,
+             "open ground between two streets looks like a street without a centre line; it became a sector of its own",
+             "", s.origin});
       } else if (park != kNone || area > kOpenM2) {
         s.kind = SectorKind::open;
       }

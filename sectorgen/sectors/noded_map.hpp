@@ -10,7 +10,7 @@ enum class Layer { house, wall, water, domain, overhead, kerb };
 
 struct NodedPart {
   Layer layer = Layer::house;
-  std::uint32_t feature = 0;      ///< index into the list of its layer: Blocks::houses, walls, water, the domain's polygons
+  std::uint32_t feature = 0;  ///< index into the list of its layer: Blocks::houses, walls, water, the domain's polygons
   std::vector<PlanPoint> points;  ///< a ring, inside on the left (may touch itself after rounding), or a kerb's line
 };
 

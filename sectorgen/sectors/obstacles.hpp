@@ -11,7 +11,7 @@ namespace vicus {
 struct House {
   std::uint32_t footprint = 0;  ///< index into SourceMap::footprints
   Polygon area;
-  bool is_overhead = false;     ///< above a passage, or base_m > kWalkUnderMetres: blocks nothing
+  bool is_overhead = false;  ///< above a passage, or base_m > kWalkUnderMetres: blocks nothing
   double base_m = 0;
 };
 

@@ -78,7 +78,8 @@ struct Geos {
         if ((area2(simple) > 0) == outer) rings.push_back(std::move(simple));
     };
     add(ring(GEOSGetExteriorRing_r(handle, g)), true);
-    for (int i = 0; i < GEOSGetNumInteriorRings_r(handle, g); ++i) add(ring(GEOSGetInteriorRingN_r(handle, g, i)), false);
+    for (int i = 0; i < GEOSGetNumInteriorRings_r(handle, g); ++i)
+      add(ring(GEOSGetInteriorRingN_r(handle, g, i)), false);
     for (auto& p : assemble(std::move(rings))) out.push_back(std::move(p));
   }
   std::vector<Polygon> polygons(const Ptr& g) const {
@@ -120,8 +121,8 @@ std::vector<Polygon> close_gaps(const std::vector<Polygon>& polygons, double dis
   const Geos::Ptr all = geos.multi(polygons);
   const double d = distance_m * kMmPerMetre;
   const auto buffer = [&](const Geos::Ptr& g, double by) {
-    return geos.own(GEOSBufferWithStyle_r(geos.handle, g.get(), by, kQuadrantSegments, GEOSBUF_CAP_FLAT,
-                                          GEOSBUF_JOIN_MITRE, 2.0));
+    return geos.own(
+        GEOSBufferWithStyle_r(geos.handle, g.get(), by, kQuadrantSegments, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 2.0));
   };
   if (!all) return polygons;
   const Geos::Ptr grown = buffer(all, d);

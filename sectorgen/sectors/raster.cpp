@@ -61,7 +61,8 @@ Mask without_holes(const Raster& r, const Mask& mask) {
   while (!queue.empty()) {
     const std::size_t i = queue.back();
     queue.pop_back();
-    const int c = static_cast<int>(i % static_cast<std::size_t>(r.columns)), y = static_cast<int>(i / static_cast<std::size_t>(r.columns));
+    const int c = static_cast<int>(i % static_cast<std::size_t>(r.columns)),
+              y = static_cast<int>(i / static_cast<std::size_t>(r.columns));
     push(c - 1, y), push(c + 1, y), push(c, y - 1), push(c, y + 1);
   }
   for (char& x : reached) x = static_cast<char>(!x);
@@ -138,7 +139,8 @@ void paint(const Raster& r, const Polygon& polygon, Mask& mask) {
 std::vector<float> distance_m(const Raster& r, const Mask& mask) {
   std::vector<float> d(r.size());
   const int n = std::max(r.columns, r.rows);
-  std::vector<float> f(static_cast<std::size_t>(n)), z(static_cast<std::size_t>(n) + 1), out(static_cast<std::size_t>(n));
+  std::vector<float> f(static_cast<std::size_t>(n)), z(static_cast<std::size_t>(n) + 1),
+      out(static_cast<std::size_t>(n));
   std::vector<int> v(static_cast<std::size_t>(n));
   for (int row = 0; row < r.rows; ++row) {
     for (int c = 0; c < r.columns; ++c)
@@ -172,11 +174,26 @@ std::vector<Polygon> outlines(const Raster& r, const Mask& with_holes) {
       do {
         if (dir == 0) seen[r.index(x, y)] = 1;
         // Half way along each cell edge: corners come out cut at 45 degrees.
-        ring.push_back({r.min.x + x * r.cell_mm + dx[dir] * r.cell_mm / 2, r.min.y + y * r.cell_mm + dy[dir] * r.cell_mm / 2});
+        ring.push_back(
+            {r.min.x + x * r.cell_mm + dx[dir] * r.cell_mm / 2, r.min.y + y * r.cell_mm + dy[dir] * r.cell_mm / 2});
         x += dx[dir], y += dy[dir];
         // Cells ahead, seen from the vertex reached: left and right of the direction.
-        const int lx = dir == 0 ? x : dir == 1 ? x - 1 : dir == 2 ? x - 1 : x, ly = dir == 0 ? y : dir == 1 ? y : dir == 2 ? y - 1 : y - 1;
-        const int rx = dir == 0 ? x : dir == 1 ? x : dir == 2 ? x - 1 : x - 1, ry = dir == 0 ? y - 1 : dir == 1 ? y : dir == 2 ? y : y - 1;
+        const int lx = dir == 0   ? x
+                       : dir == 1 ? x - 1
+                       : dir == 2 ? x - 1
+                                  : x,
+                  ly = dir == 0   ? y
+                       : dir == 1 ? y
+                       : dir == 2 ? y - 1
+                                  : y - 1;
+        const int rx = dir == 0   ? x
+                       : dir == 1 ? x
+                       : dir == 2 ? x - 1
+                                  : x - 1,
+                  ry = dir == 0   ? y - 1
+                       : dir == 1 ? y
+                       : dir == 2 ? y
+                                  : y - 1;
         if (at(rx, ry))
           dir = (dir + 3) % 4;  // diagonal neighbours hang together
         else if (!at(lx, ly))

@@ -10,7 +10,7 @@
 namespace vicus {
 namespace {
 
-constexpr double kBridgedBlockM = 8;         // an axis may cut a corner of a house this far and go on behind it
+constexpr double kBridgedBlockM = 8;  // an axis may cut a corner of a house this far and go on behind it
 constexpr std::size_t kDetourTriangles = 600;
 constexpr std::int64_t kStubMm = 15'000;
 
@@ -28,7 +28,8 @@ struct ReducedPath {
 
 class Router {
  public:
-  Router(const Ground& ground, Routes& routes) : ground_(ground), routes_(routes), locator_(ground.mesh), seen_(ground.mesh.triangles.size(), 0) {}
+  Router(const Ground& ground, Routes& routes)
+      : ground_(ground), routes_(routes), locator_(ground.mesh), seen_(ground.mesh.triangles.size(), 0) {}
 
   void add(const Axis& axis, std::uint32_t name) {
     ReducedPath path;
@@ -193,7 +194,8 @@ void prune(const Ground& g, Routes& r) {
     for (std::uint32_t leaf : leaves)
       if (used_count(g, r, leaf) == 1)
         if (auto stub = stub_from(g, r, leaf)) stubs.push_back(std::move(*stub));
-    std::sort(stubs.begin(), stubs.end(), [](const Stub& a, const Stub& b) { return a.length != b.length ? a.length < b.length : a.key < b.key; });
+    std::sort(stubs.begin(), stubs.end(),
+              [](const Stub& a, const Stub& b) { return a.length != b.length ? a.length < b.length : a.key < b.key; });
     for (const Stub& stub : stubs) {
       if (used_count(g, r, stub.junction) < 3) continue;  // its sibling went already
       for (std::uint32_t e : stub.edges) r.is_used[e] = 0;
@@ -228,7 +230,8 @@ void invent_routes(const Ground& g, Routes& r) {
   spread_reached(g, r);
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
-      if (r.is_reached[t] && g.is_crossable(t, k) && length_mm(g.from(t, k), g.to(t, k)) >= kWideMm) r.is_used[g.edge_id(t, k)] = 1;
+      if (r.is_reached[t] && g.is_crossable(t, k) && length_mm(g.from(t, k), g.to(t, k)) >= kWideMm)
+        r.is_used[g.edge_id(t, k)] = 1;
 }
 
 }  // namespace
@@ -261,7 +264,8 @@ std::vector<PlanPoint> reach_points(const std::vector<Axis>& axes, const std::ve
   if (axes.empty()) return {};  // the network is invented from all ground
   for (const Area& area : areas)
     if (area.kind == AreaKind::square)
-      for (std::size_t i = 0; i < area.area.outer.size(); ++i) add(area.area.outer[i], area.area.outer[(i + 1) % area.area.outer.size()]);
+      for (std::size_t i = 0; i < area.area.outer.size(); ++i)
+        add(area.area.outer[i], area.area.outer[(i + 1) % area.area.outer.size()]);
   return out;
 }
 

@@ -16,17 +16,17 @@ struct NameUse {
 };
 
 struct Routes {
-  std::vector<char> is_used;      ///< per edge id: some reduced axis crosses it
-  std::vector<char> is_reached;   ///< per triangle: an axis or a square lies in its component of the ground
-  std::vector<std::string> names; ///< sorted
+  std::vector<char> is_used;       ///< per edge id: some reduced axis crosses it
+  std::vector<char> is_reached;    ///< per triangle: an axis or a square lies in its component of the ground
+  std::vector<std::string> names;  ///< sorted
   std::vector<NameUse> uses;
 };
 
 /// Every axis becomes the sequence of free edges it crosses, back-tracking cancelled; parallel carriageways, tram lanes
 /// and pavements between the same facades give the same sequence. Stubs shorter than max(15 m, their mouth) are pruned.
-/// Components of the ground that no axis and no square reaches are not used. Ground without any axis gets the network of
-/// its wide passages instead (edges of at least kWideMm), so that a map without streets still becomes a city.
-/// Error   none: exact walk; an axis through a vertex is taken as passing on its left.
+/// Components of the ground that no axis and no square reaches are not used. Ground without any axis gets the network
+/// of its wide passages instead (edges of at least kWideMm), so that a map without streets still becomes a city. Error
+/// none: exact walk; an axis through a vertex is taken as passing on its left.
 Routes route_axes(const Ground& ground, const std::vector<Axis>& axes, const std::vector<Area>& areas);
 
 /// Points at most kReachMm apart along every axis and square's outline: ground without any is not walked on.

@@ -26,7 +26,9 @@ Regions make_regions(const Ground& g, const Cells& cells) {
   Regions r{cells.of, static_cast<std::uint32_t>(cells.kind.size())};
   for (std::uint32_t t = 0; t < r.of.size(); ++t) {
     if (!g.is_free[t] || r.of[t] != kNone) continue;
-    r.of[t] = cells.closed[t] == Closed::outside ? r.outside() : cells.closed[t] == Closed::courtyard ? r.courtyard() : r.yard();
+    r.of[t] = cells.closed[t] == Closed::outside     ? r.outside()
+              : cells.closed[t] == Closed::courtyard ? r.courtyard()
+                                                     : r.yard();
   }
   return r;
 }
@@ -46,9 +48,14 @@ struct PieceKey {
 class Writer {
  public:
   Writer(const SourceMap& map, const Plan& plan, City& city)
-      : map_(map), plan_(plan), city_(city), regions_(make_regions(plan.ground, plan.cells)),
-        boundaries_(trace_regions(plan.ground, regions_.of, regions_.count())), bends_(plan.ground, boundaries_),
-        facades_(plan, bends_), walls_(wall_edges()) {}
+      : map_(map),
+        plan_(plan),
+        city_(city),
+        regions_(make_regions(plan.ground, plan.cells)),
+        boundaries_(trace_regions(plan.ground, regions_.of, regions_.count())),
+        bends_(plan.ground, boundaries_),
+        facades_(plan, bends_),
+        walls_(wall_edges()) {}
 
   void write() {
     write_domain();
@@ -120,7 +127,8 @@ class Writer {
       const std::size_t j = (i + 1) % n;
       if (!(keys[i] == keys[j])) return true;
       const HalfEdge next = walk[j].first;
-      if (boundaries_.is_pinch[plan_.ground.mesh.corner(next.triangle, next.side + 1)]) return true;  // rings part there
+      if (boundaries_.is_pinch[plan_.ground.mesh.corner(next.triangle, next.side + 1)])
+        return true;  // rings part there
       return keys[i].what == PieceKey::gate && !continues(plan_.ground, regions_.of, walk[i], walk[j]);
     };
     std::size_t start = 0;
@@ -248,7 +256,8 @@ class Writer {
       if (layer == Layer::water) city_.obstacles.push_back({ObstacleKind::water, "", 0, std::move(p)});
       if (layer != Layer::wall) return;
       const Barrier& b = map_.barriers[plan_.blocks.walls[f].barrier];
-      city_.obstacles.push_back({b.is_wall ? ObstacleKind::wall : ObstacleKind::fence, b.source_id, b.height_m, std::move(p)});
+      city_.obstacles.push_back(
+          {b.is_wall ? ObstacleKind::wall : ObstacleKind::fence, b.source_id, b.height_m, std::move(p)});
     });
     for (const auto& p : plan_.ground.courtyards) {
       Polygon bent{bends_.apply(p.outer), {}};
@@ -260,14 +269,17 @@ class Writer {
         std::reverse(hole.begin(), hole.end());
         city_.obstacles.push_back({ObstacleKind::island, "", 0, {std::move(hole), {}}});
       }
-    for (const auto& [region, kind] : {std::pair{regions_.yard(), ObstacleKind::yard}, {regions_.courtyard(), ObstacleKind::courtyard}}) {
+    for (const auto& [region, kind] :
+         {std::pair{regions_.yard(), ObstacleKind::yard}, {regions_.courtyard(), ObstacleKind::courtyard}}) {
       std::vector<Ring> rings;
       for (const auto& walk : boundaries_.walks[region])
         for (auto& ring : simple_rings(ring_of(walk))) rings.push_back(std::move(ring));
       for (auto& p : assemble(std::move(rings))) {
         const std::string m2 = std::to_string(static_cast<int>(area_m2(p)));
         if (kind == ObstacleKind::yard && area_m2(p) > 40)
-          city_.issues.push_back({IssueCode::yard_closed, "ground of " + m2 + " m2 behind gaps too narrow to walk was fenced off", "", p.outer.front()});
+          city_.issues.push_back({IssueCode::yard_closed,
+                                  "ground of " + m2 + " m2 behind gaps too narrow to walk was fenced off", "",
+                                  p.outer.front()});
         city_.obstacles.push_back({kind, "", 0, std::move(p)});
       }
     }

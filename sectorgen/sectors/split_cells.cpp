@@ -21,7 +21,8 @@ struct Member {
 
 /// Parts a cell's triangles in two halves of like weight across its longer side; a piece cut off from its half goes to
 /// the other, so that both hang together. Returns the triangles of the new half, empty when it cannot be parted.
-std::vector<std::uint32_t> halve(const Ground& g, const std::vector<std::uint32_t>& triangles, std::vector<char>& mark) {
+std::vector<std::uint32_t> halve(const Ground& g, const std::vector<std::uint32_t>& triangles,
+                                 std::vector<char>& mark) {
   PlanBox box;
   for (std::uint32_t t : triangles)
     for (int k = 0; k < 3; ++k) box.add(g.mesh.points[g.mesh.corner(t, k)]);
@@ -37,7 +38,9 @@ std::vector<std::uint32_t> halve(const Ground& g, const std::vector<std::uint32_
     members.push_back({sum, t});
     total += sides_of(g, t);
   }
-  std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.along != b.along ? a.along < b.along : a.triangle < b.triangle; });
+  std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
+    return a.along != b.along ? a.along < b.along : a.triangle < b.triangle;
+  });
   std::uint64_t weight = 0;
   for (const Member& m : members) {
     weight += sides_of(g, m.triangle);

@@ -34,7 +34,8 @@ BoundaryPiece piece_of(const Ground& g, const std::vector<std::uint32_t>& region
 
 }  // namespace
 
-bool continues(const Ground& g, const std::vector<std::uint32_t>& region, const BoundaryPiece& a, const BoundaryPiece& b) {
+bool continues(const Ground& g, const std::vector<std::uint32_t>& region, const BoundaryPiece& a,
+               const BoundaryPiece& b) {
   const HalfEdge x = a.last, y = b.first;
   if (!g.is_crossable(x.triangle, x.side) || !g.is_crossable(y.triangle, y.side)) return false;
   const HalfEdge twin_x{g.beyond(x.triangle, x.side), g.mesh.twin_side(x.triangle, x.side)};
@@ -63,7 +64,8 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
     if (region[t] == kNone) continue;
     for (int k = 0; k < 3; ++k) {
       // Start at a corner that stays.
-      if (visited[3 * t + static_cast<std::uint32_t>(k)] || !is_boundary(g, region, t, k) || !out.is_kept[g.mesh.corner(t, k + 1)])
+      if (visited[3 * t + static_cast<std::uint32_t>(k)] || !is_boundary(g, region, t, k) ||
+          !out.is_kept[g.mesh.corner(t, k + 1)])
         continue;
       BoundaryWalk walk;
       HalfEdge h{t, k};
@@ -90,7 +92,8 @@ Boundaries trace_regions(const Ground& g, const std::vector<std::uint32_t>& regi
   return out;
 }
 
-void locate_islands(const Ground& g, const std::vector<std::uint32_t>& region, std::vector<std::vector<std::uint32_t>>& islands) {
+void locate_islands(const Ground& g, const std::vector<std::uint32_t>& region,
+                    std::vector<std::vector<std::uint32_t>>& islands) {
   const Locator locator(g.mesh);
   for (std::uint32_t i = 0; i < g.islands.size(); ++i) {
     const std::uint32_t t = locator.locate(g.islands[i].area.outer.front());
@@ -115,7 +118,8 @@ Bends::Bends(const Ground& g, const Boundaries& boundaries) {
     if (side.b < side.a) std::reverse(bend.points.begin(), bend.points.end());
     bends_.push_back(std::move(bend));
   }
-  std::sort(bends_.begin(), bends_.end(), [](const Bend& x, const Bend& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  std::sort(bends_.begin(), bends_.end(),
+            [](const Bend& x, const Bend& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
 }
 
 Ring Bends::apply(const Ring& ring) const {

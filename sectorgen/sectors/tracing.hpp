@@ -31,7 +31,8 @@ struct Boundaries {
 Boundaries trace_regions(const Ground& ground, const std::vector<std::uint32_t>& region, std::uint32_t count);
 
 /// The piece's twin is the next piece's twin's successor: both lie on one line between the same two regions.
-bool continues(const Ground& ground, const std::vector<std::uint32_t>& region, const BoundaryPiece& a, const BoundaryPiece& b);
+bool continues(const Ground& ground, const std::vector<std::uint32_t>& region, const BoundaryPiece& a,
+               const BoundaryPiece& b);
 
 /// Islands by the region they lie in.
 void locate_islands(const Ground& ground, const std::vector<std::uint32_t>& region,

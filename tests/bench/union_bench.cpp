@@ -24,7 +24,8 @@ double union_area_m2(const vicus::SourceMap& map) {
     polygons.push_back(
         GEOSGeom_createPolygon_r(handle, ring(f.area.outer), holes.data(), static_cast<unsigned>(holes.size())));
   }
-  auto* all = GEOSGeom_createCollection_r(handle, GEOS_MULTIPOLYGON, polygons.data(), static_cast<unsigned>(polygons.size()));
+  auto* all =
+      GEOSGeom_createCollection_r(handle, GEOS_MULTIPOLYGON, polygons.data(), static_cast<unsigned>(polygons.size()));
   auto* whole = GEOSUnaryUnion_r(handle, all);
   double area = 0;
   if (whole != nullptr) GEOSArea_r(handle, whole, &area);
@@ -57,6 +58,6 @@ int main(int argc, char** argv) {
   std::printf("footprints %zu, union %.0f m2 by GEOS in %.2f CPU s\n", footprints, area, peer);
   std::printf("read %.2f s, normalise %.2f s, sectors %.2f s -> %zu sectors; peak %.0f MB\n", read, normalise, sectors,
               city.sectors.size(), vicus::peak_resident_mb());
-  std::printf("up to the sectors / union: %.2f (with reading %.2f); sector stage / union: %.2f\n", (normalise + sectors) / peer,
-              (read + normalise + sectors) / peer, sectors / peer);
+  std::printf("up to the sectors / union: %.2f (with reading %.2f); sector stage / union: %.2f\n",
+              (normalise + sectors) / peer, (read + normalise + sectors) / peer, sectors / peer);
 }

@@ -28,8 +28,9 @@ void expect_rules_hold(const City& city) {
   const RuleReport report = check_rules(city);
   EXPECT_TRUE(report.all_hold());
   for (std::size_t i = 0; i < std::min<std::size_t>(3, report.violations.size()); ++i)
-    ADD_FAILURE() << name_of(report.violations[i].rule) << " " << report.violations[i].id << ": " << report.violations[i].message
-                  << " at " << report.violations[i].at.x << ", " << report.violations[i].at.y << " mm";
+    ADD_FAILURE() << name_of(report.violations[i].rule) << " " << report.violations[i].id << ": "
+                  << report.violations[i].message << " at " << report.violations[i].at.x << ", "
+                  << report.violations[i].at.y << " mm";
 }
 
 /// VICUS_SEEDS=first,count runs others.
