@@ -31,8 +31,9 @@ struct Noded {
 /// Differs snaps to vertices only, not to the pixels of other crossings of the same round: the next round does that.
 Noded node_segments(const std::vector<Segment>& segments);
 
-/// A vertex closer than this to a segment splits it.
-inline constexpr double kSnapMm = 0.7072;
+/// A vertex closer than this to a segment splits it. Below half the diagonal of a lattice cell, or unit diagonals would
+/// never come to rest.
+inline constexpr double kSnapMm = 0.6;
 inline constexpr std::int32_t kNodingCellMm = 16'384;
 
 }  // namespace vicus
