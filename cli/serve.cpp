@@ -76,8 +76,9 @@ void serve(const Arguments& arguments, Context& context) {
 
   const auto x_ite = find_x_ite(arguments.x_ite, program_path());
   if (x_ite.empty())
-    log->warn("X_ITE was not found: the page cannot show the city. Run `npm install x_ite`, then give "
-              "--x_ite node_modules/x_ite");
+    log->warn(
+        "X_ITE was not found: the page cannot show the city. Run `npm install x_ite`, then give "
+        "--x_ite node_modules/x_ite");
   const auto files = std::make_shared<const StaticFiles>(x_ite);
   const auto metrics = std::make_shared<Metrics>();
   raise_descriptor_limit(arguments.options);

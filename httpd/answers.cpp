@@ -12,7 +12,8 @@ namespace vicus {
 
 const char* const kContentSecurityPolicy =
     "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self' data: blob:; "
-    "img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; media-src 'self' data: blob:; "
+    "img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; media-src 'self' data: "
+    "blob:; "
     "worker-src 'self' blob:; base-uri 'none'; form-action 'self'";
 
 namespace {
@@ -34,7 +35,8 @@ Choice choose(const HttpRequest& request, std::string_view media_type) {
   if (!quality)
     choice.refusal = problem(400, "The Accept field is not a list of media ranges. Leave it out, or send */*.");
   else if (!codings)
-    choice.refusal = problem(400, "The Accept-Encoding field is not a list of codings. Leave it out, or send br, gzip.");
+    choice.refusal =
+        problem(400, "The Accept-Encoding field is not a list of codings. Leave it out, or send br, gzip.");
   else if (*quality == 0)
     choice.refusal = not_acceptable(std::string(media_type));
   else
@@ -45,10 +47,11 @@ Choice choose(const HttpRequest& request, std::string_view media_type) {
 HttpResponse answer_in_coding(const HttpRequest& request, const std::string& media_type, const std::string& coding,
                               const std::string& etag, Caching caching) {
   HttpResponse response;
-  response.fields = {{"ETag", etag},
-                     {"Vary", "Accept, Accept-Encoding"},
-                     {"Cache-Control", caching == Caching::immutable ? "public, max-age=31536000, immutable, no-transform"
-                                                                     : "public, no-cache, no-transform"}};
+  response.fields = {
+      {"ETag", etag},
+      {"Vary", "Accept, Accept-Encoding"},
+      {"Cache-Control", caching == Caching::immutable ? "public, max-age=31536000, immutable, no-transform"
+                                                      : "public, no-cache, no-transform"}};
   if (names_etag(field_of(request.fields, "If-None-Match"), etag)) {
     response.status = 304;
     return response;
@@ -108,8 +111,7 @@ HttpResponse answer_made(const HttpRequest& request, const std::string& media_ty
   if (coding.empty()) return not_acceptable(kNoCoding);
   const auto etag = etag_of(strong_hash(bytes), coding);
   auto response = answer_in_coding(request, media_type, coding, etag, Caching::revalidate);
-  if (response.status == 200)
-    response.body = body_of(in_coding(std::move(bytes), coding));
+  if (response.status == 200) response.body = body_of(in_coding(std::move(bytes), coding));
   return response;
 }
 

@@ -18,7 +18,8 @@ HttpResponse answer_file(const HttpRequest& request, const StaticFile& file, Cac
 HttpResponse answer_made(const HttpRequest& request, const std::string& media_type, std::string bytes);
 
 /// A row of table `artefact`; nullopt: there is no such path.
-std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city, const std::string& path);
+std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city,
+                                            const std::string& path);
 
 /// 406 that says what there is.
 HttpResponse not_acceptable(const std::string& what_there_is);

@@ -25,7 +25,8 @@ Json query_parameter(const char* name, const char* what, Json schema) {
 }
 
 Json get(const char* id, const char* media_type, const char* what, Json parameters = Json::array()) {
-  return {{"get", {{"operationId", id}, {"parameters", std::move(parameters)}, {"responses", answers(media_type, what)}}}};
+  return {
+      {"get", {{"operationId", id}, {"parameters", std::move(parameters)}, {"responses", answers(media_type, what)}}}};
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::optional<std::string> read_query(const Url& url, ItemsQuery& query) {
       const auto offset = whole_number(value);
       if (!offset || *offset > 1'000'000'000) return "offset must be a whole number from 0 to 1000000000.";
       query.offset = *offset;
-    } else if (name != "datetime" && name != "f") {  // no feature has a time, so every time matches; f=json is what we give
+    } else if (name != "datetime" &&
+               name != "f") {  // no feature has a time, so every time matches; f=json is what we give
       return "There is no parameter " + name + ". There are bbox, limit and offset.";
     }
   }
@@ -128,8 +129,9 @@ HttpResponse answer_items(const HttpRequest& request, const Url& url, const City
     }
     if (found.empty()) break;
   }
-  Json links = Json::array({link("self", kGeoJson, items_href(collection, query, query.offset), "this page"),
-                            link("collection", kJson, std::string("/collections/") + collection.name, collection.title)});
+  Json links =
+      Json::array({link("self", kGeoJson, items_href(collection, query, query.offset), "this page"),
+                   link("collection", kJson, std::string("/collections/") + collection.name, collection.title)});
   if (has_more) links.push_back(link("next", kGeoJson, items_href(collection, query, at), "next page"));
   const auto count = features.size();
   return answer_json(request, kGeoJson,
@@ -162,16 +164,16 @@ HttpResponse answer_conformance(const HttpRequest& request) {
 }  // namespace
 
 HttpResponse answer_landing(const HttpRequest& request) {
-  return answer_json(request, kJson,
-                     {{"title", "Vicus"},
-                      {"description", "A city to walk through, and its records"},
-                      {"links", Json::array({link("self", kJson, "/", "this document"),
-                                             link("alternate", "text/html", "/", "the city"),
-                                             link("service-desc", "application/vnd.oai.openapi+json;version=3.0", "/api",
-                                                  "the API"),
-                                             link("conformance", kJson, "/conformance", "conformance classes"),
-                                             link("data", kJson, "/collections", "records"),
-                                             link("item", "model/x3d+xml", "/city.x3d", "the root world")})}});
+  return answer_json(
+      request, kJson,
+      {{"title", "Vicus"},
+       {"description", "A city to walk through, and its records"},
+       {"links",
+        Json::array({link("self", kJson, "/", "this document"), link("alternate", "text/html", "/", "the city"),
+                     link("service-desc", "application/vnd.oai.openapi+json;version=3.0", "/api", "the API"),
+                     link("conformance", kJson, "/conformance", "conformance classes"),
+                     link("data", kJson, "/collections", "records"),
+                     link("item", "model/x3d+xml", "/city.x3d", "the root world")})}});
 }
 
 HttpResponse answer_collections(const HttpRequest& request, const Url& url, const CityReader& city) {
@@ -180,8 +182,9 @@ HttpResponse answer_collections(const HttpRequest& request, const Url& url, cons
   if (rest.empty() || rest == "/") {
     Json all = Json::array();
     for (const auto& collection : collections()) all.push_back(describe(collection));
-    return answer_json(request, kJson, {{"links", Json::array({link("self", kJson, "/collections", "records")})},
-                                        {"collections", std::move(all)}});
+    return answer_json(
+        request, kJson,
+        {{"links", Json::array({link("self", kJson, "/collections", "records")})}, {"collections", std::move(all)}});
   }
   rest.erase(0, 1);
   const auto slash = std::min(rest.find('/'), rest.size());
@@ -194,7 +197,8 @@ HttpResponse answer_collections(const HttpRequest& request, const Url& url, cons
   if (rest.empty()) return answer_json(request, kJson, describe(*collection));
   if (rest == "/items") return answer_items(request, url, city, *collection);
   if (rest.starts_with("/items/")) return answer_item(request, city, *collection, rest.substr(7));
-  return problem(404, "Collection " + name + " has no " + rest + ". Its records are at /collections/" + name + "/items.");
+  return problem(404,
+                 "Collection " + name + " has no " + rest + ". Its records are at /collections/" + name + "/items.");
 }
 
 }  // namespace vicus

@@ -12,8 +12,8 @@
 ///   /collections/NAME/items        ?bbox=W,S,E,N&limit=10&offset=0; links to the next page
 ///   /collections/NAME/items/ID
 ///
-/// `offset` counts the records whose plan box meets the bbox's: a page may hold fewer than `limit` features and yet have
-/// a next one. Coordinates are CRS84 (longitude, latitude).
+/// `offset` counts the records whose plan box meets the bbox's: a page may hold fewer than `limit` features and yet
+/// have a next one. Coordinates are CRS84 (longitude, latitude).
 namespace vicus {
 
 HttpResponse answer_landing(const HttpRequest& request);

@@ -56,8 +56,10 @@ bool segment_meets(Degrees a, Degrees b, const Window& w) {
   const auto clip = [&](double step, double room) {
     if (step == 0) return room >= 0;
     const double t = room / step;
-    if (step < 0) from = std::max(from, t);
-    else to = std::min(to, t);
+    if (step < 0)
+      from = std::max(from, t);
+    else
+      to = std::min(to, t);
     return from <= to;
   };
   return clip(a.lon - b.lon, a.lon - w.west) && clip(b.lon - a.lon, w.east - a.lon) &&
@@ -104,7 +106,8 @@ std::optional<GeoBox> parse_geo_box(const std::string& text) {
   if (numbers.size() == 6) numbers = {numbers[0], numbers[1], numbers[3], numbers[4]};
   if (numbers.size() != 4) return std::nullopt;
   const GeoBox box{numbers[0], numbers[1], numbers[2], numbers[3]};
-  if (std::abs(box.west) > 180 || std::abs(box.east) > 180 || box.south < -90 || box.north > 90 || box.south > box.north)
+  if (std::abs(box.west) > 180 || std::abs(box.east) > 180 || box.south < -90 || box.north > 90 ||
+      box.south > box.north)
     return std::nullopt;
   return box;
 }
@@ -139,7 +142,8 @@ PlanBox GeoFrame::plan_box_around(const GeoBox& box) const {
     }
     const double margin = 1 + kMargin * std::max(max_x - min_x, max_y - min_y);
     const double limit = metres(kPlanLimit);
-    if (min_x - margin > limit || max_x + margin < -limit || min_y - margin > limit || max_y + margin < -limit) continue;
+    if (min_x - margin > limit || max_x + margin < -limit || min_y - margin > limit || max_y + margin < -limit)
+      continue;
     out.add({lattice_mm(std::max(min_x - margin, -limit)), lattice_mm(std::max(min_y - margin, -limit))});
     out.add({lattice_mm(std::min(max_x + margin, limit)), lattice_mm(std::min(max_y + margin, limit))});
   }

@@ -22,7 +22,7 @@ struct HttpResponse {
   HttpFields fields;  ///< without Content-Length, Connection, Date and Server: these belong to the connection
   std::shared_ptr<const std::string> body;  ///< null: none; a HEAD request gets the fields of this body, not the body
   const char* route = "other";              ///< label in /metrics; static storage
-  std::string fault;  ///< for the operator's log, not for the client: what failed behind a 500
+  std::string fault;                        ///< for the operator's log, not for the client: what failed behind a 500
 };
 
 /// ASCII only, as HTTP's names are.

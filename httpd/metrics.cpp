@@ -7,8 +7,8 @@ namespace vicus {
 namespace {
 
 std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  char text[400];  // the longest double in fixed notation
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr;
   return {text, end};
 }
 
@@ -48,7 +48,8 @@ std::string Metrics::text() const {
     const auto bound = i < kBounds.size() ? number(kBounds[i]) : "+Inf";
     out += "vicus_request_seconds_bucket{le=\"" + bound + "\"} " + std::to_string(sum) + "\n";
   }
-  out += "vicus_request_seconds_sum " + number(seconds_) + "\nvicus_request_seconds_count " + std::to_string(sum) + "\n";
+  out +=
+      "vicus_request_seconds_sum " + number(seconds_) + "\nvicus_request_seconds_count " + std::to_string(sum) + "\n";
   head(out, "vicus_open_connections", "gauge", "Connections open now.");
   out += "vicus_open_connections " + std::to_string(open_.load()) + "\n";
   head(out, "vicus_connections_total", "counter", "Connections accepted.");

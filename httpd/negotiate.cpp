@@ -170,8 +170,10 @@ std::optional<std::vector<std::string>> accepted_codings(const std::optional<std
   for (std::size_t i = 0; i < kCodings.size(); ++i) {
     const bool is_identity = kCodings[i] == "identity";
     int q = quality[i];
-    if (q < 0) q = any >= 0 ? any * 2 : is_identity ? 1 : 0;  // below: mentioned ones count double, 1 is the least
-    else q *= 2;
+    if (q < 0)
+      q = any >= 0 ? any * 2 : is_identity ? 1 : 0;  // below: mentioned ones count double, 1 is the least
+    else
+      q *= 2;
     if (q > 0) order.emplace_back(-q, i);
   }
   std::sort(order.begin(), order.end());

@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-/// What a client says it can take (RFC 9110 §12.5), read strictly: a coding or media type refused with q=0 is never sent.
+/// What a client says it can take (RFC 9110 §12.5), read strictly: a coding or media type refused with q=0 is never
+/// sent.
 namespace vicus {
 
 /// The codings of ours ("br", "gzip", "identity") the client takes, best first: by q, then br, gzip, identity.

@@ -14,7 +14,8 @@ HeadFault too_long_target() {
 std::optional<HeadFault> fault_of_request_line(std::string_view line) {
   const auto first = line.find(' ');
   const auto last = line.rfind(' ');
-  if (first == std::string_view::npos || first == last || line.substr(first + 1, last - first - 1).find(' ') != line.npos)
+  if (first == std::string_view::npos || first == last ||
+      line.substr(first + 1, last - first - 1).find(' ') != line.npos)
     return HeadFault{400, "The request line must be METHOD, address and HTTP version with one space between them."};
   if (last - first - 1 > kMaxTargetBytes) return too_long_target();
   return std::nullopt;
@@ -70,7 +71,8 @@ std::optional<HeadFault> fault_of_bytes(std::string_view head) {
 }
 
 HeadFault fault_of_endless(std::string_view bytes) {
-  if (bytes.find('\n') == bytes.npos) return too_long_target();
+  constexpr std::size_t kLongestLine = kMaxTargetBytes + 64;  // a method, two spaces, HTTP/1.1
+  if (bytes.substr(0, kLongestLine).find('\n') == bytes.npos) return too_long_target();
   return {431, "The request's head is longer than " + std::to_string(kMaxHeadBytes) +
                    " bytes. Send fewer or shorter header lines (cookies are not needed here)."};
 }

@@ -25,7 +25,7 @@ std::optional<std::size_t> head_length(std::string_view bytes);
 /// Needs   nothing: the bytes are hostile.
 std::optional<HeadFault> fault_of_bytes(std::string_view head);
 
-/// For a head that grew past kMaxHeadBytes without end: 414 when its first line has not ended, else 431.
+/// For a head that grew past kMaxHeadBytes without end: 414 when it is its first line that is too long, else 431.
 HeadFault fault_of_endless(std::string_view bytes);
 
 /// Not exactly one Host (an HTTP/1.0 client may send none); Transfer-Encoding other than chunked (501); both

@@ -78,7 +78,8 @@ HttpResponse answer_x_ite(const HttpRequest& request, const StaticFiles& files, 
       return response;
     }
   }
-  return problem(404, "X_ITE " + version + " has no file " + path + ". Its files are below /x_ite/" + version + "/dist/.");
+  return problem(404,
+                 "X_ITE " + version + " has no file " + path + ". Its files are below /x_ite/" + version + "/dist/.");
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ HttpResponse answer_by_accept(const HttpRequest& request, const CityReader& city
   const auto wanted = preferred_media_type(field_of(request.fields, "Accept"), media_types);
   if (!wanted) return problem(400, "The Accept field is not a list of media ranges. Leave it out, or send */*.");
   if (wanted->empty()) return not_acceptable(listed);
-  const auto suffix = std::find_if(kSuffixes.begin(), kSuffixes.end(),
-                                   [&](const char* s) { return media_type_of_file(s) == *wanted; });
+  const auto suffix =
+      std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const char* s) { return media_type_of_file(s) == *wanted; });
   auto response = answer_artefact(request, city, path + *suffix).value();
   response.fields.emplace_back("Content-Location", "/" + path + *suffix);
   return response;
@@ -82,7 +82,8 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
       options.is_static = value == "1";
     } else if (name == "i") {
       if (value.size() != 1 || value[0] < '0' || value[0] > '0' + kMaxLevel)
-        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) + ": rings of sectors (with static=1).";
+        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) +
+               ": rings of sectors (with static=1).";
       options.level = value[0] - '0';
     }
   }
@@ -101,8 +102,9 @@ HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityR
   if (const auto wrong = read_root_query(url, options)) return problem(400, *wrong);
   const auto text = root_text(source_of(city), options);
   if (!text)
-    return problem(404, "There is no sector " + options.start + " to start in. Ask /collections/sectors/items for those "
-                        "there are.");
+    return problem(404, "There is no sector " + options.start +
+                            " to start in. Ask /collections/sectors/items for those "
+                            "there are.");
   return answer_made(request, media_type_of(options.format), *text);
 }
 
@@ -110,8 +112,9 @@ HttpResponse answer_sector(const HttpRequest& request, const CityReader& city, c
   const auto dot = std::min(name.find('.'), name.size());
   const auto id = name.substr(0, dot);
   if (!is_id(id))
-    return problem(400, "'" + id + "' is no sector id: ids have letters, digits, '-' and '_'. Ask "
-                        "/collections/sectors/items for those there are.");
+    return problem(400, "'" + id +
+                            "' is no sector id: ids have letters, digits, '-' and '_'. Ask "
+                            "/collections/sectors/items for those there are.");
   const auto path = "sectors/" + name;
   if (dot < name.size())
     if (auto artefact = answer_artefact(request, city, path)) return *std::move(artefact);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <array>
+#include <atomic>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/io_context.hpp>
@@ -53,6 +54,7 @@ struct Shared {
   ServeOptions options;
   std::shared_ptr<Metrics> metrics;
   std::function<void(const AccessRecord&)> log;
+  std::atomic<bool> is_stopping = false;  // at once, also for a thread that is busy answering
 };
 
 struct Session;
@@ -63,7 +65,6 @@ struct Worker {
   const Shared& shared;
   Responder respond;
   std::set<Session*> sessions;  // outlives `context`, whose end destroys what is left of them
-  bool is_stopping = false;
   asio::io_context context{1};
   tcp::acceptor acceptor;
 
@@ -98,7 +99,6 @@ struct Session {
 };
 
 void Worker::stop() {
-  is_stopping = true;
   error_code ignored;
   acceptor.close(ignored);
   for (auto* session : sessions)
@@ -117,7 +117,7 @@ asio::awaitable<bool> read_head(Session& session, std::size_t& length, std::opti
     const auto found = head_length(bytes);
     if (found && *found <= kMaxHeadBytes) co_return length = *found, true;
     if (bytes.size() > kMaxHeadBytes) co_return fault = fault_of_endless(bytes), true;
-    if (bytes.empty() && session.worker.is_stopping) co_return false;
+    if (bytes.empty() && session.worker.shared.is_stopping) co_return false;
     if (!bytes.empty() && !head_end) head_end = Clock::now() + options.head_time;
     session.is_idle = bytes.empty();
     session.stream.expires_at(head_end.value_or(idle_end));
@@ -206,11 +206,11 @@ asio::awaitable<bool> serve_request(Session& session) {
   if (!fault && !parser.is_done()) fault = co_await read_body(session, parser);
   const HttpResponse response = fault ? refusal(*fault) : worker.respond(request);
   session.must_linger = fault.has_value();
-  const bool keeps_alive = !fault && parser.keep_alive() && !worker.is_stopping &&
+  const bool keeps_alive = !fault && parser.keep_alive() && !worker.shared.is_stopping &&
                            ++session.answered < worker.shared.options.max_requests;
   const auto bytes = co_await write_response(session, response, request.method == "HEAD", keeps_alive);
   record(session, request, response, bytes, began);
-  co_return keeps_alive && bytes > 0;
+  co_return keeps_alive&& bytes > 0;
 }
 
 /// Closing with bytes unread resets the connection, and the client may lose the answer that says why.
@@ -247,7 +247,7 @@ asio::awaitable<void> accept_connections(Worker& worker) {
   for (;;) {
     error_code error;
     auto socket = co_await worker.acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
-    if (worker.is_stopping) co_return;
+    if (shared.is_stopping) co_return;
     if (error) {  // out of descriptors or memory, or the client is gone already: not a reason to end
       pause.expires_after(kAcceptPause);
       co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
@@ -286,7 +286,8 @@ void listen(tcp::acceptor& acceptor, const tcp::endpoint& endpoint, bool shares_
   if (!error) return;
   const auto where = endpoint.address().to_string() + " port " + std::to_string(endpoint.port());
   if (error == asio::error::address_in_use)
-    throw CityError("cannot listen on " + where + ": it is in use. Stop the other program, or choose another with "
+    throw CityError("cannot listen on " + where +
+                    ": it is in use. Stop the other program, or choose another with "
                     "--port N (0: any free one)");
   if (error == asio::error::access_denied)
     throw CityError("cannot listen on " + where + ": ports below 1024 need privileges. Choose another with --port N");
@@ -296,18 +297,20 @@ void listen(tcp::acceptor& acceptor, const tcp::endpoint& endpoint, bool shares_
 }  // namespace
 
 struct HttpServer::Impl {
+  Impl(const ServeOptions& options, std::shared_ptr<Metrics> metrics, std::function<void(const AccessRecord&)> log)
+      : shared{options, std::move(metrics), std::move(log)} {}
+
   Shared shared;
   std::vector<std::unique_ptr<Worker>> workers;
   std::optional<asio::signal_set> signals;
   std::uint16_t port = 0;
   std::mutex mutex;
   std::condition_variable changed;
-  bool is_stopping = false;
   std::size_t running = 0;
 
   void stop() {
     const std::lock_guard lock(mutex);
-    if (std::exchange(is_stopping, true)) return;
+    if (shared.is_stopping.exchange(true)) return;
     for (auto& worker : workers) asio::post(worker->context, [w = worker.get()] { w->stop(); });
     if (signals) asio::post(workers.front()->context, [this] { signals.reset(); });  // the next signal ends the program
     changed.notify_all();
@@ -323,8 +326,7 @@ struct HttpServer::Impl {
 
 HttpServer::HttpServer(const ServeOptions& options, const std::function<Responder()>& new_responder,
                        std::shared_ptr<Metrics> metrics, std::function<void(const AccessRecord&)> log)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->shared = {options, std::move(metrics), std::move(log)};
+    : impl_(std::make_unique<Impl>(options, std::move(metrics), std::move(log))) {
   auto endpoint = endpoint_of(options);
   if (endpoint.port() != 0) {  // SO_REUSEPORT would silently share the port with another server of ours
     asio::io_context context;
@@ -348,9 +350,7 @@ HttpServer::HttpServer(const ServeOptions& options, const std::function<Responde
   });
 }
 
-HttpServer::~HttpServer() {
-  impl_->signals.reset();
-}
+HttpServer::~HttpServer() { impl_->signals.reset(); }
 
 std::uint16_t HttpServer::port() const { return impl_->port; }
 
@@ -360,7 +360,7 @@ void HttpServer::run() {
   std::vector<std::jthread> threads;
   for (auto& worker : impl.workers) threads.emplace_back([&impl, w = worker.get()] { impl.run_worker(*w); });
   std::unique_lock lock(impl.mutex);
-  impl.changed.wait(lock, [&] { return impl.is_stopping; });
+  impl.changed.wait(lock, [&] { return impl.shared.is_stopping.load(); });
   impl.changed.wait_for(lock, impl.shared.options.drain_time, [&] { return impl.running == 0; });
   lock.unlock();
   for (auto& worker : impl.workers) worker->context.stop();

@@ -13,12 +13,12 @@ namespace vicus {
 
 struct ServeOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;            ///< 0: any free one
-  unsigned threads = 0;                 ///< 0: one per core
-  bool stops_on_signals = false;        ///< SIGTERM and SIGINT stop it; a second one ends the program
-  std::size_t max_connections = 4096;   ///< more are answered 503
-  std::size_t max_body_bytes = 4096;    ///< bodies mean nothing here; a larger one is 413
-  unsigned max_requests = 10000;        ///< per connection
+  std::uint16_t port = 8080;           ///< 0: any free one
+  unsigned threads = 0;                ///< 0: one per core
+  bool stops_on_signals = false;       ///< SIGTERM and SIGINT stop it; a second one ends the program
+  std::size_t max_connections = 4096;  ///< more are answered 503
+  std::size_t max_body_bytes = 4096;   ///< bodies mean nothing here; a larger one is 413
+  unsigned max_requests = 10000;       ///< per connection
   // Deadlines are absolute: a byte now and then does not put them off.
   std::chrono::milliseconds head_time{10'000}, body_time{10'000}, idle_time{20'000}, drain_time{10'000};
   std::chrono::milliseconds write_time{10'000};  ///< and 1 s more for each least_write_rate bytes

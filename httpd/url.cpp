@@ -77,7 +77,11 @@ bool parse_query(std::string_view text, Url& url, std::string& reason) {
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i]);
-    const std::size_t length = first < 0x80 ? 1 : (first >> 5) == 6 ? 2 : (first >> 4) == 14 ? 3 : (first >> 3) == 30 ? 4 : 0;
+    const std::size_t length = first < 0x80         ? 1
+                               : (first >> 5) == 6  ? 2
+                               : (first >> 4) == 14 ? 3
+                               : (first >> 3) == 30 ? 4
+                                                    : 0;
     if (length == 0 || i + length > text.size()) return false;
     std::uint32_t code = length == 1 ? first : first & (0x7fu >> length);
     for (std::size_t k = 1; k < length; ++k) {

@@ -19,7 +19,8 @@ inline constexpr std::size_t kMaxTargetBytes = 4096;  ///< longer: 414. City pat
 /// Needs   nothing: the bytes are hostile.
 /// Accepts origin form `/path?query` and absolute form `http://host/path?query` (RFC 9112 §3.2.2).
 /// Fails   nullopt, and `reason` says in a sentence what is wrong: a bad, control or NUL escape, bytes that are not
-///         UTF-8 (overlong forms included), '\' or '/' encoded, an unreserved character encoded in the path, a fragment.
+///         UTF-8 (overlong forms included), '\' or '/' encoded, an unreserved character encoded in the path, a
+///         fragment.
 std::optional<Url> parse_url(std::string_view target, std::string& reason);
 
 /// Percent-encodes everything but RFC 3986's unreserved characters.

@@ -47,7 +47,8 @@ TEST(ResponseHead, GivesNoLengthTo304AndZeroToAnEmptyAnswer) {
   response.status = 304;
   EXPECT_EQ(response_head(response, false, 0).find("Content-Length"), std::string::npos);
   response.status = 404;
-  EXPECT_NE(response_head(response, false, 0).find("Content-Length: 0\r\nConnection: close\r\n\r\n"), std::string::npos);
+  EXPECT_NE(response_head(response, false, 0).find("Content-Length: 0\r\nConnection: close\r\n\r\n"),
+            std::string::npos);
 }
 
 TEST(ResponseHead, LetsNoValueBeginALine) {
@@ -63,13 +64,13 @@ TEST(Metrics, CountsAnswersAndTimes) {
   metrics.count_answer("sector", 200, 500, 0.002);
   metrics.count_answer("page", 404, 10, 60);
   const auto text = metrics.text();
-  for (const char* line : {"vicus_requests_total{route=\"sector\",status=\"200\"} 2\n",
-                           "vicus_requests_total{route=\"page\",status=\"404\"} 1\n",
-                           "vicus_sent_bytes_total{route=\"sector\",status=\"200\"} 1500\n",
-                           "vicus_request_seconds_bucket{le=\"0.0005\"} 1\n",
-                           "vicus_request_seconds_bucket{le=\"0.0025\"} 2\n", "vicus_request_seconds_bucket{le=\"5\"} 2\n",
-                           "vicus_request_seconds_bucket{le=\"+Inf\"} 3\n", "vicus_request_seconds_count 3\n",
-                           "vicus_open_connections 1\n", "vicus_connections_total 1\n"})
+  for (const char* line :
+       {"vicus_requests_total{route=\"sector\",status=\"200\"} 2\n",
+        "vicus_requests_total{route=\"page\",status=\"404\"} 1\n",
+        "vicus_sent_bytes_total{route=\"sector\",status=\"200\"} 1500\n",
+        "vicus_request_seconds_bucket{le=\"0.0005\"} 1\n", "vicus_request_seconds_bucket{le=\"0.0025\"} 2\n",
+        "vicus_request_seconds_bucket{le=\"5\"} 2\n", "vicus_request_seconds_bucket{le=\"+Inf\"} 3\n",
+        "vicus_request_seconds_count 3\n", "vicus_open_connections 1\n", "vicus_connections_total 1\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 

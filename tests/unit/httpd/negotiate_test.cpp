@@ -58,7 +58,8 @@ TEST(MediaQuality, GoesByTheMostSpecificRange) {
 }
 
 TEST(MediaQuality, RefusesWhatIsNoList) {
-  for (const char* field : {"text", "text/", "/html", "text/html text/plain", "text/html;q=1.5", "*/html/x", "text/html;"})
+  for (const char* field :
+       {"text", "text/", "/html", "text/html text/plain", "text/html;q=1.5", "*/html/x", "text/html;"})
     EXPECT_EQ(media_quality(field, "text/html"), std::nullopt) << field;
 }
 

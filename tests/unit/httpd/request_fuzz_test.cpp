@@ -10,10 +10,46 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace {
 
 /// Words of every grammar the target reads, so that random joins get deep into each.
-const std::vector<std::string> kWords = {
-    "/",     "..",   "%2e",  "%",    "%c3%b6", "%c0%af", "?",      "&",    "=",  "+",    "a",  "br",    "gzip", "identity",
-    "*",     ";q=",  "0.5",  "1",    "0",      ",",      " ",      ";",    "\"", "W/",   "\\", "\r\n",  "\n",   "GET / HTTP/1.1",
-    "Host:", "\r\n\r\n", "model/x3d+xml", "*/*", "\"a-br\"", "-180", "90", "1e9", "nan", "http://", std::string(1, '\0'), "\xff"};
+const std::vector<std::string> kWords = {"/",
+                                         "..",
+                                         "%2e",
+                                         "%",
+                                         "%c3%b6",
+                                         "%c0%af",
+                                         "?",
+                                         "&",
+                                         "=",
+                                         "+",
+                                         "a",
+                                         "br",
+                                         "gzip",
+                                         "identity",
+                                         "*",
+                                         ";q=",
+                                         "0.5",
+                                         "1",
+                                         "0",
+                                         ",",
+                                         " ",
+                                         ";",
+                                         "\"",
+                                         "W/",
+                                         "\\",
+                                         "\r\n",
+                                         "\n",
+                                         "GET / HTTP/1.1",
+                                         "Host:",
+                                         "\r\n\r\n",
+                                         "model/x3d+xml",
+                                         "*/*",
+                                         "\"a-br\"",
+                                         "-180",
+                                         "90",
+                                         "1e9",
+                                         "nan",
+                                         "http://",
+                                         std::string(1, '\0'),
+                                         "\xff"};
 
 TEST(RequestFuzz, SurvivesRandomJoins) {
   for (unsigned seed = 0; seed < 20000; ++seed) {

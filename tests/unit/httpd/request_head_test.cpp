@@ -31,14 +31,13 @@ TEST(FaultOfBytes, PassesAnOrdinaryHead) {
 
 TEST(FaultOfBytes, RefusesWhatAParserMightReadInTwoWays) {
   using namespace std::string_view_literals;
-  for (const auto head : {"GET / HTTP/1.1\nHost: a\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: b\rC: d\r\n\r\n"sv,
-                          "GET / HTTP/1.1\r\nA: b\r\n c\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: b\r\n\tc\r\n\r\n"sv,
-                          "GET / HTTP/1.1\r\n A: b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA : b\r\n\r\n"sv,
-                          "GET / HTTP/1.1\r\nA\t: b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA\r\n\r\n"sv,
-                          "GET / HTTP/1.1\r\n: b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: \0\r\n\r\n"sv,
-                          "GET / HTTP/1.1\r\nA: \x01\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: \x7f\r\n\r\n"sv,
-                          "GET  / HTTP/1.1\r\n\r\n"sv, "GET / x HTTP/1.1\r\n\r\n"sv, "GET /\r\n\r\n"sv, "GET\r\n\r\n"sv,
-                          "\r\n\r\n"sv})
+  for (const auto head :
+       {"GET / HTTP/1.1\nHost: a\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: b\rC: d\r\n\r\n"sv,
+        "GET / HTTP/1.1\r\nA: b\r\n c\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: b\r\n\tc\r\n\r\n"sv,
+        "GET / HTTP/1.1\r\n A: b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA : b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA\t: b\r\n\r\n"sv,
+        "GET / HTTP/1.1\r\nA\r\n\r\n"sv, "GET / HTTP/1.1\r\n: b\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: \0\r\n\r\n"sv,
+        "GET / HTTP/1.1\r\nA: \x01\r\n\r\n"sv, "GET / HTTP/1.1\r\nA: \x7f\r\n\r\n"sv, "GET  / HTTP/1.1\r\n\r\n"sv,
+        "GET / x HTTP/1.1\r\n\r\n"sv, "GET /\r\n\r\n"sv, "GET\r\n\r\n"sv, "\r\n\r\n"sv})
     EXPECT_EQ(status_of_bytes(head), 400) << head;
 }
 

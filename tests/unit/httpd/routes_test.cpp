@@ -33,9 +33,9 @@ test::ServedCity* RoutesOfSampleCity::served_ = nullptr;
 
 TEST_F(RoutesOfSampleCity, GiveEverySectorInEveryFormat) {
   for (const auto& sector : test::sample_city().sectors)
-    for (const auto& [suffix, media_type] : {std::pair(".x3d", "model/x3d+xml"), std::pair(".far.x3d", "model/x3d+xml"),
-                                             std::pair(".wrl", "model/vrml"), std::pair(".x3dj", "model/x3d+json"),
-                                             std::pair(".json", "application/json")}) {
+    for (const auto& [suffix, media_type] :
+         {std::pair(".x3d", "model/x3d+xml"), std::pair(".far.x3d", "model/x3d+xml"), std::pair(".wrl", "model/vrml"),
+          std::pair(".x3dj", "model/x3d+json"), std::pair(".json", "application/json")}) {
       const auto response = get("/sectors/" + sector.id + suffix);
       ASSERT_EQ(response.status, 200) << sector.id << suffix;
       EXPECT_EQ(field(response, "Content-Type"), media_type);
@@ -63,8 +63,8 @@ TEST_F(RoutesOfSampleCity, ChooseTheStoredCodingAndTagEachOne) {
 }
 
 TEST_F(RoutesOfSampleCity, Say304ForTheTagOfTheSameCodingOnly) {
-  for (const char* target : {"/sectors/s-cross.x3d", "/city.x3d", "/", "/x_ite/15.0.1/dist/x_ite.min.mjs",
-                             "/collections/sectors/items"}) {
+  for (const char* target :
+       {"/sectors/s-cross.x3d", "/city.x3d", "/", "/x_ite/15.0.1/dist/x_ite.min.mjs", "/collections/sectors/items"}) {
     const auto first = get(target, {{"Accept-Encoding", "br"}});
     ASSERT_EQ(first.status, 200) << target;
     const auto etag = field(first, "ETag");
@@ -108,16 +108,16 @@ TEST_F(RoutesOfSampleCity, NameWhatIsNotThere) {
   const auto no_format = get("/sectors/s-cross.obj");
   EXPECT_EQ(no_format.status, 404);
   EXPECT_NE(detail(no_format).find("/sectors/s-cross.x3d"), std::string::npos);
-  for (const char* target : {"/nix", "/sectors/nowhere", "/client/nix.js", "/x_ite/15.0.1/dist/nix.js", "/city.obj",
-                             "/collections/nix", "/collections/sectors/nix", "/collections/gates/items/nix", "/sectors",
-                             "/client/", "/favicon.ico"})
+  for (const char* target :
+       {"/nix", "/sectors/nowhere", "/client/nix.js", "/x_ite/15.0.1/dist/nix.js", "/city.obj", "/collections/nix",
+        "/collections/sectors/nix", "/collections/gates/items/nix", "/sectors", "/client/", "/favicon.ico"})
     EXPECT_EQ(get(target).status, 404) << target;
 }
 
 TEST_F(RoutesOfSampleCity, RefuseBadIdsAndAddresses) {
-  for (const char* target : {"/sectors/", "/sectors/a%20b.x3d", "/sectors/%C3%B6.x3d", "/sectors/.x3d", "/sectors/a/b.x3d",
-                             "/city.x3d?start=%22", "/city.x3d?start=a&start=b", "/city.x3d?static=yes",
-                             "/city.x3d?static=1&i=77", "/../etc/passwd", "/%00", "/%"})
+  for (const char* target : {"/sectors/", "/sectors/a%20b.x3d", "/sectors/%C3%B6.x3d", "/sectors/.x3d",
+                             "/sectors/a/b.x3d", "/city.x3d?start=%22", "/city.x3d?start=a&start=b",
+                             "/city.x3d?static=yes", "/city.x3d?static=1&i=77", "/../etc/passwd", "/%00", "/%"})
     EXPECT_EQ(get(target).status, 400) << target;
   EXPECT_EQ(get("/" + std::string(5000, 'a')).status, 414);
 }

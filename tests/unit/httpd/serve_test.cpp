@@ -125,11 +125,14 @@ TEST(HttpServer, RefusesWhatIsNoClearRequestAndCloses) {
       {"GET /" + std::string(5000, 'a') + " HTTP/1.1\r\n" + host + "\r\n", 414},
       {"GET /" + std::string(20000, 'a'), 414},
       {"GET / HTTP/1.1\r\nA: " + std::string(20000, 'a'), 431},
-      {"GET / HTTP/1.1\r\n" + host + [] {
-         std::string many;
-         for (int i = 0; i < 3000; ++i) many += "A: b\r\n";
-         return many;
-       }() + "\r\n", 431}};
+      {"GET / HTTP/1.1\r\n" + host +
+           [] {
+             std::string many;
+             for (int i = 0; i < 3000; ++i) many += "A: b\r\n";
+             return many;
+           }() +
+           "\r\n",
+       431}};
   for (const auto& [bytes, status] : cases) {
     SCOPED_TRACE(bytes.substr(0, 90));
     RawClient client(server.port());
@@ -139,7 +142,7 @@ TEST(HttpServer, RefusesWhatIsNoClearRequestAndCloses) {
     EXPECT_TRUE(client.is_closed());
     EXPECT_NE(answer.find("application/problem+json"), std::string::npos);
     EXPECT_NE(answer.find("Connection: close"), std::string::npos);
-    EXPECT_EQ(answer.find("HTTP/1.1", 1), std::string::npos) << answer;
+    EXPECT_EQ(answer.find("\nHTTP/1.1 "), std::string::npos) << answer;
   }
   EXPECT_EQ(server.asked, 0);
   EXPECT_EQ(status_of(server.answer(kLastGet)), 200);
@@ -215,7 +218,8 @@ TEST(HttpServer, SendsALargeBodyWhole) {
 
 TEST(HttpServer, PassesOverASmallBody) {
   Server server;
-  for (const char* body : {"Content-Length: 5\r\n\r\nabcde", "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n2\r\nde\r\n0\r\n\r\n"}) {
+  for (const char* body :
+       {"Content-Length: 5\r\n\r\nabcde", "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n2\r\nde\r\n0\r\n\r\n"}) {
     const auto all = server.answer(std::string("GET /a HTTP/1.1\r\nHost: t\r\n") + body + kLastGet);
     EXPECT_NE(all.find("\r\n\r\n/aHTTP/1.1 200 OK"), std::string::npos) << all;
     EXPECT_TRUE(all.ends_with("\r\n\r\n/z"));
@@ -295,7 +299,8 @@ TEST(HttpServer, StopsInTimeWhateverItsClientsDo) {
 TEST(HttpServer, MayBeStoppedBeforeItRuns) {
   ServeOptions options;
   options.port = 0;
-  HttpServer server(options, [] { return Responder(); }, std::make_shared<Metrics>(), nullptr);
+  HttpServer server(
+      options, [] { return Responder(); }, std::make_shared<Metrics>(), nullptr);
   server.stop();
   server.run();
 }
@@ -314,7 +319,8 @@ TEST(HttpServer, SaysWhatToDoWhereItCannotListen) {
     options.address = address;
     options.port = port;
     try {
-      HttpServer second(options, [] { return Responder(); }, std::make_shared<Metrics>(), nullptr);
+      HttpServer second(
+          options, [] { return Responder(); }, std::make_shared<Metrics>(), nullptr);
     } catch (const CityError& error) {
       return std::string(error.what());
     }
