@@ -17,6 +17,7 @@ try {
     const cold = await visitor.streetTime();
     await visitor.settle(120);
     await visitor.page.screenshot({ path: join(folder, 'street.png') });
+    await visitor.page.close();
     const again = await Visitor.open(browser.context, origin);
     const warm = await again.streetTime();
     console.log(JSON.stringify({ cold_ms: Math.round(cold), warm_ms: Math.round(warm), complaints: visitor.complaints }));
