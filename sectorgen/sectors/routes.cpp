@@ -45,6 +45,13 @@ class Router {
   void walk(ReducedPath& path, PlanPoint p, PlanPoint q, std::uint32_t name, std::uint32_t& here) {
     here = locator_.locate(towards(p, q), here);
     PlanPoint at = p;
+    // From beyond the mesh's hull, where nothing of the city is: begin at the first point inside.
+    const std::int64_t steps_in = here == kNone ? length_mm(p, q) / kReachMm : 0;
+    for (std::int64_t i = 1; here == kNone && i <= steps_in; ++i) {
+      at = {static_cast<std::int32_t>(p.x + (std::int64_t{q.x} - p.x) * i / steps_in),
+            static_cast<std::int32_t>(p.y + (std::int64_t{q.y} - p.y) * i / steps_in)};
+      here = locator_.locate(at);
+    }
     for (std::size_t steps = 0; here != kNone && steps < ground_.mesh.triangles.size(); ++steps) {
       const auto exit = exit_of(here, p, q);
       const PlanPoint end = exit ? meeting(here, *exit, p, q) : q;

@@ -26,12 +26,6 @@ Vec heart_of(const Ring& court, double& clearance) {
   return best;
 }
 
-bool is_clear(const Ring& court, Vec a, Vec b) {
-  for (std::size_t i = 0, j = court.size() - 1; i < court.size(); j = i++)
-    if (segments_meet(court[j], court[i], a, b)) return false;
-  return true;
-}
-
 void draw_passage(Site& site, const Passage& p, const Ring& court, Vec heart, std::size_t face) {
   const NodeId street = join_street(site.network, site.map, face, p.line, p.outer);
   const NodeId outer = site.map.node(p.outer), inner = site.map.node(p.inner);
@@ -44,7 +38,7 @@ void draw_passage(Site& site, const Passage& p, const Ring& court, Vec heart, st
   draw_footway(site, {outer, inner}, tunnel);
   const Vec inside = p.inner + p.inward * 1.5;
   std::vector<NodeId> path{inner};
-  if (is_clear(court, inside, heart)) {
+  if (!meets_ring(court, inside, heart)) {
     path.push_back(site.map.node(inside));
     path.push_back(site.map.node(heart));
   } else {

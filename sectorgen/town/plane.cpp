@@ -67,6 +67,12 @@ bool segments_meet(Vec a, Vec b, Vec c, Vec d) {
   return (s <= 0 || t <= 0) && (s >= 0 || t >= 0) && (u <= 0 || v <= 0) && (u >= 0 || v >= 0);
 }
 
+bool meets_ring(const Ring& ring, Vec a, Vec b) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if (segments_meet(ring[j], ring[i], a, b)) return true;
+  return false;
+}
+
 bool is_simple(const Ring& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return false;

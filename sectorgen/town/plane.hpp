@@ -43,6 +43,7 @@ bool contains_with_margin(const Ring& ring, Vec p, double margin);
 /// Brute force over all pairs of edges: no crossing, no touching but of neighbours.
 bool is_simple(const Ring& ring);
 bool segments_meet(Vec a, Vec b, Vec c, Vec d);
+bool meets_ring(const Ring& ring, Vec a, Vec b);
 /// Parameter on a..b (unbounded) where it meets the line c..d; none when parallel.
 std::optional<double> meeting_on_line(Vec a, Vec b, Vec c, Vec d);
 /// Least extent of a convex ring; `along` is the direction of the side it was measured from.

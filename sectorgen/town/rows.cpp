@@ -16,6 +16,7 @@ namespace {
 constexpr double kLeastDepth = 6, kMostDepth = 15;
 constexpr double kLeastStep = 0.9;  // m: rear walls of neighbours differ by this or not at all
 constexpr double kTypicalFront = 9.5;
+constexpr double kCourtBefore = 4;  // m of open court that a passage needs before it
 constexpr double kShortSide = 17;
 
 /// A wall across the row: from the facade inwards. `before`, `after`: depth of the houses on both sides.
@@ -202,33 +203,39 @@ Ring court_of(const std::vector<Plot>& plots) {
   return court;
 }
 
-/// A way through the house: a node in the middle of its front and of its rear wall.
-Passage break_passage(Plot& p) {
-  const std::size_t rear =
-      static_cast<std::size_t>(std::find(p.ring.begin(), p.ring.end(), p.rear.back()) - p.ring.begin());
+Passage passage_of(const Plot& p) {
   Passage passage;
   passage.outer = mix(p.ring[0], p.ring[1], 0.5);
-  passage.inner = mix(p.rear[0], p.rear[1], 0.5);
+  passage.inner = mix(p.rear.front(), p.rear.back(), 0.5);
   passage.inward = unit(passage.inner - passage.outer);
   passage.line = p.side->line;
-  p.ring.insert(p.ring.begin() + static_cast<std::ptrdiff_t>(rear) + 1, passage.inner);
+  return passage;
+}
+
+/// A way through the house: a node in the middle of its front and of its rear wall.
+Passage break_passage(Plot& p) {
+  const auto rear = std::find(p.ring.begin(), p.ring.end(), p.rear.back()) - p.ring.begin();
+  const Passage passage = passage_of(p);
+  p.ring.insert(p.ring.begin() + rear + 1, passage.inner);
   p.ring.insert(p.ring.begin() + 1, passage.outer);
   return passage;
 }
 
-bool suits_passage(const Site& site, const Plot& p) {
+bool suits_passage(const Site& site, const Plot& p, const Ring& court) {
   if (p.is_corner || distance(p.ring[0], p.ring[1]) < 7) return false;
   const StreetKind kind = site.network.lines[p.side->line].kind;
-  return kind == StreetKind::street || kind == StreetKind::main || kind == StreetKind::ring;
+  const bool is_street = kind == StreetKind::street || kind == StreetKind::main || kind == StreetKind::ring;
+  const Passage way = passage_of(p);
+  return is_street && !meets_ring(court, way.inner + way.inward * 0.05, way.inner + way.inward * kCourtBefore);
 }
 
-std::vector<Passage> break_passages(Site& site, std::vector<Plot>& plots, Rng& rng) {
+std::vector<Passage> break_passages(Site& site, std::vector<Plot>& plots, const Ring& court, Rng& rng) {
   std::vector<Passage> passages;
   const std::size_t wanted = rng.chance(0.5) ? rng.chance(0.5) ? 2 : 1 : 0;
   const std::size_t start = rng.below(plots.size());
   for (std::size_t k = 0; k < plots.size() && passages.size() < wanted; ++k) {
     Plot& p = plots[(start + k) % plots.size()];
-    if (!suits_passage(site, p) || (!passages.empty() && passages.back().line == p.side->line)) continue;
+    if (!suits_passage(site, p, court) || (!passages.empty() && passages.back().line == p.side->line)) continue;
     passages.push_back(break_passage(p));
   }
   return passages;
@@ -279,7 +286,7 @@ bool build_rows(Site& site, std::vector<Side> sides, std::size_t face) {
   if (plots.empty()) return false;
   const bool is_face = face != Edge::kNoFace;
   std::vector<Passage> passages;
-  if (is_face && static_cast<int>(plots.size()) <= site.houses_left) passages = break_passages(site, plots, rng);
+  if (is_face && static_cast<int>(plots.size()) <= site.houses_left) passages = break_passages(site, plots, court, rng);
   bool is_closed = true;
   for (Plot& p : plots) {
     const Lot lot{p.side->line, 2 * static_cast<int>(p.middle_m / 6) + (p.side->is_left ? 1 : 2), true, false};

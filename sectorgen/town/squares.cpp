@@ -173,45 +173,60 @@ void build_second_square(Site& site, std::size_t face) {
   put(site, square, keep_out, mix(on_first, far, 0.15) + v * 4, {{"amenity", "drinking_water"}});
 }
 
-/// One house around a court of its own, entered by a passage.
+/// One house around a court of its own, entered by a passage from its longest side.
 void build_palace(Site& site, std::size_t face) {
   const auto sides = facade_sides(site.network, face, {0.5, kWallSetback}, site.rng.next());
-  Ring outer;
-  for (const Side& s : sides) outer.push_back(s.front.front());
-  Ring closed = outer;
-  closed.insert(closed.end(), outer.begin(), outer.begin() + std::min<std::ptrdiff_t>(2, std::ssize(outer)));
-  if (outer.size() < 3 || !is_simple(outer)) return;
-  Polyline inset = offset_left(closed, 11);
-  Ring court(inset.begin() + 1, inset.end() - 1);
-  if (!is_simple(court) || area_of(court) < 60) {
+  const std::size_t n = sides.size();
+  Ring corners;
+  for (const Side& s : sides) corners.push_back(s.front.front());
+  if (n < 3) return;
+  Polyline closed = corners;
+  closed.insert(closed.end(), corners.begin(), corners.begin() + 2);
+  const Polyline inset = offset_left(closed, 11);
+  Ring court(inset.begin() + 1, inset.end() - 1);  // court[i] lies behind corners[i + 1]
+  const Ring walls = ring_of(sides);
+  const bool fits = is_simple(walls) && is_simple(court) && area_of(court) > 60 &&
+                    std::all_of(court.begin(), court.end(), [&](Vec p) { return contains_with_margin(walls, p, 5); });
+  if (!fits) {
     build_rows(site, sides, face);
     return;
   }
-  std::size_t door = 0;  // the longest side that is a street of some width
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    if (site.network.lines[sides[i].line].kind != StreetKind::lane &&
-        distance(outer[i], outer[(i + 1) % outer.size()]) > distance(outer[door], outer[(door + 1) % outer.size()]))
+  std::size_t door = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (site.network.lines[sides[i].line].kind != StreetKind::avenue &&
+        length_of(sides[i].front) > length_of(sides[door].front))
       door = i;
-  const std::size_t n = outer.size();
+  const Polyline& front = sides[door].front;
+  Vec forward;
   Passage p;
-  p.outer = mix(outer[door], outer[(door + 1) % n], 0.5);
-  p.inward = left_of(unit(outer[(door + 1) % n] - outer[door]));
-  // court[i] lies behind outer[i + 1]
+  p.outer = point_along(front, length_of(front) / 2, &forward);
+  p.inward = left_of(forward);
+  p.line = sides[door].line;
   const Vec a = court[(door + n - 1) % n], b = court[door];
   const auto t = meeting_on_line(a, b, p.outer, p.outer + p.inward);
-  p.line = sides[door].line;
-  const bool has_passage = t && *t > 0.1 && *t < 0.9;
-  Ring well = court, walls = outer;
+  // The ring begins with the front, so that the door is in it, not in the passage.
+  Ring outer{front[0]};
+  double walked = 0;
+  bool has_passage = t && *t > 0.1 && *t < 0.9;
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    const double before = walked;
+    walked += distance(front[i - 1], front[i]);
+    const double half = length_of(front) / 2;
+    if (has_passage && before < half && half <= walked) outer.push_back(p.outer);
+    outer.push_back(front[i]);
+  }
+  outer.pop_back();
+  for (std::size_t k = 1; k < n; ++k) {
+    const Polyline& other = sides[(door + k) % n].front;
+    outer.insert(outer.end(), other.begin(), other.end() - 1);
+  }
+  Ring well = court;
   if (has_passage) {
     p.inner = mix(a, b, *t);
     well.insert(well.begin() + static_cast<std::ptrdiff_t>((door + n - 1) % n) + 1, p.inner);
-    walls.insert(walls.begin() + static_cast<std::ptrdiff_t>(door) + 1, p.outer);
   }
-  std::rotate(walls.begin(), walls.begin() + static_cast<std::ptrdiff_t>((door + 2) % walls.size()), walls.end());
-  if (!build_house(site, walls, {sides[door].line, 1, true, true}, well)) return;
-  std::vector<Passage> passages;
-  if (has_passage) passages.push_back(p);
-  lay_out_courtyard(site, court, passages, face);
+  if (!build_house(site, outer, {p.line, 1, true, true}, well) || !has_passage) return;
+  lay_out_courtyard(site, court, {p}, face);
 }
 
 }  // namespace vicus::town

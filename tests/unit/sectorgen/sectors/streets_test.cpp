@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "city_db/rules.hpp"
+#include "sectorgen/build_city.hpp"
+
+/// Small maps drawn by hand: which sectors and gates they give.
+namespace vicus {
+namespace {
+
+PlanPoint at(double east, double north) { return {lattice_mm(east), lattice_mm(north)}; }
+
+Polygon box(double west, double south, double east, double north) {
+  return {{at(west, south), at(east, south), at(east, north), at(west, north)}, {}};
+}
+
+Footprint house(const std::string& id, Polygon area) {
+  Footprint f;
+  f.source_id = id;
+  f.area = std::move(area);
+  f.height_m = f.eave_m = 12;
+  return f;
+}
+
+Axis street(const std::string& name, std::vector<PlanPoint> line, double width = 10) {
+  Axis a;
+  a.source_id = name;
+  a.name = name;
+  a.kind = "residential";
+  a.width_m = width;
+  a.line = std::move(line);
+  return a;
+}
+
+/// One street of 200 m between two rows, west to east, houses 10 m deep, the street 12 m wide.
+SourceMap one_street() {
+  SourceMap map;
+  for (int i = 0; i < 20; ++i) {
+    map.footprints.push_back(house("south" + std::to_string(i), box(10 * i, -16, 10 * i + 10, -6)));
+    map.footprints.push_back(house("north" + std::to_string(i), box(10 * i, 6, 10 * i + 10, 16)));
+  }
+  map.axes.push_back(street("Long Street", {at(-60, 0), at(260, 0)}));
+  return map;
+}
+
+City built(SourceMap map) {
+  BuildReport report;
+  City city = build_city(std::move(map), {}, {}, report);
+  const RuleReport rules = check_rules(city);
+  EXPECT_TRUE(rules.all_hold());
+  for (const auto& v : rules.violations) ADD_FAILURE() << name_of(v.rule) << ": " << v.message;
+  return city;
+}
+
+std::size_t count(const City& city, GateKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(city.gates.begin(), city.gates.end(), [&](const Gate& g) { return g.kind == kind; }));
+}
+
+TEST(Streets, ALongStreetIsAChainOfPieces) {
+  const City city = built(one_street());
+  EXPECT_EQ(city.sectors.size(), 2u);
+  EXPECT_EQ(count(city, GateKind::street), 2u);  // one gate and its twin
+  for (const auto& s : city.sectors) EXPECT_EQ(s.name, "Long Street");
+  for (const auto& g : city.gates)
+    if (g.kind == GateKind::street) {
+      EXPECT_NEAR(metres(std::abs(g.line[0].y - g.line[1].y)), 12, 0.001);  // square across, wall to wall
+      EXPECT_EQ(g.line[0].x, g.line[1].x);
+    }
+}
+
+TEST(Streets, TwoCarriagewaysAreOneStreet) {
+  SourceMap map = one_street();
+  map.axes.clear();
+  map.axes.push_back(street("Long Street", {at(-60, 3), at(260, 3)}));
+  map.axes.push_back(street("Long Street", {at(260, -3), at(-60, -3)}));
+  EXPECT_EQ(built(std::move(map)).sectors.size(), built(one_street()).sectors.size());
+}
+
+TEST(Streets, ASmallCrossroadsBelongsToAStreet) {
+  SourceMap map;
+  for (int sx : {-1, 1})
+    for (int sy : {-1, 1})
+      for (int i = 0; i < 8; ++i) {
+        const double a = 5 + 10.0 * i, b = a + 10;
+        const auto add = [&](double x0, double y0, double x1, double y1) {
+          map.footprints.push_back(house("h" + std::to_string(map.footprints.size()),
+                                         box(std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1))));
+        };
+        add(sx * a, sy * 5, sx * b, sy * 15);
+        if (i > 0) add(sx * 5, sy * a, sx * 15, sy * b);
+      }
+  map.axes.push_back(street("East Street", {at(-130, 0), at(0, 0), at(130, 0)}));
+  map.axes.push_back(street("North Street", {at(0, -130), at(0, 0), at(0, 130)}));
+  const City city = built(std::move(map));
+  std::set<std::string> names;
+  for (const auto& s : city.sectors) {
+    EXPECT_NE(s.kind, SectorKind::crossroads);
+    names.insert(s.name);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"East Street", "North Street"}));
+  EXPECT_GE(city.sectors.size(), 2u);  // the shorter street's halves, or one through street and two halves
+  EXPECT_LE(city.sectors.size(), 4u);
+}
+
+TEST(Streets, APassageJoinsAStreetAndACourtyard) {
+  SourceMap map = one_street();
+  // A second row closes a courtyard behind the north side.
+  for (int i = 0; i < 20; ++i)
+    map.footprints.push_back(house("back" + std::to_string(i), box(10 * i, 46, 10 * i + 10, 56)));
+  map.footprints.push_back(house("west", box(-10, 6, 0, 56)));
+  map.footprints.push_back(house("east", box(200, 6, 210, 56)));
+  const auto courtyards = [](const City& city) {
+    return std::count_if(city.obstacles.begin(), city.obstacles.end(),
+                         [](const Obstacle& o) { return o.kind == ObstacleKind::courtyard; });
+  };
+  EXPECT_EQ(courtyards(built(map)), 1);
+  Axis passage = street("", {at(55, 0), at(55, 30)}, 4);
+  passage.is_passage = true;
+  map.axes.push_back(passage);
+  const City open = built(std::move(map));
+  EXPECT_EQ(courtyards(open), 0);
+  const auto roofed =
+      std::find_if(open.buildings.begin(), open.buildings.end(), [](const Building& b) { return b.base_m > 0; });
+  ASSERT_NE(roofed, open.buildings.end());  // the house goes on above the passage
+  EXPECT_EQ(roofed->source_id, "north5");
+}
+
+TEST(Streets, ABridgeCarriesTheStreetOverWater) {
+  SourceMap map = one_street();
+  std::erase_if(map.footprints,
+                [](const Footprint& f) { return f.source_id == "south10" || f.source_id == "north10"; });
+  map.areas.push_back({"brook", "Brook", AreaKind::water, box(102, -60, 108, 60)});
+  const City city = built(std::move(map));
+  EXPECT_EQ(check_rules(city).components, 1u);
+  EXPECT_TRUE(std::any_of(city.borders.begin(), city.borders.end(),
+                          [](const Border& b) { return b.kind == BorderKind::bank; }));
+}
+
+TEST(Streets, AWallWithAnOpeningLeavesAGap) {
+  SourceMap map = one_street();
+  Barrier wall;
+  wall.source_id = "wall";
+  wall.line = {at(120, -8), at(120, 8)};  // across the street, as a town wall
+  wall.height_m = 6;
+  map.barriers.push_back(wall);
+  const City city = built(std::move(map));
+  EXPECT_EQ(check_rules(city).components, 1u);  // the street leads through
+  EXPECT_TRUE(std::any_of(city.borders.begin(), city.borders.end(),
+                          [](const Border& b) { return b.kind == BorderKind::wall; }));
+}
+
+TEST(Streets, WithoutAnyStreetTheWideGroundIsWalked) {
+  SourceMap map = one_street();
+  map.axes.clear();
+  const City city = built(std::move(map));
+  EXPECT_FALSE(city.sectors.empty());
+}
+
+TEST(Streets, NothingAtAllIsRefused) {
+  BuildReport report;
+  try {
+    build_city(SourceMap{}, {}, {}, report);
+    FAIL() << "built a city from nothing";
+  } catch (const CityError& e) {
+    EXPECT_EQ(e.exit_code, 4);
+  }
+}
+
+TEST(Streets, AHeavySectorIsHalved) {
+  BuildReport report;
+  BuildOptions tight;
+  tight.budget_bytes = 20 * 45;  // twenty sides
+  const City city = build_city(one_street(), tight, {}, report);
+  EXPECT_GT(city.sectors.size(), 4u);
+  EXPECT_TRUE(check_rules(city).all_hold());
+}
+
+}  // namespace
+}  // namespace vicus
