@@ -165,7 +165,7 @@ class MapDrawing {
       const PlanPoint at = point_inside(*s);
       const bool has_name = !s->name.empty() && named.insert(s->name).second;
       paper_.label(at, short_id(s->id), 7, 0);
-      if (has_name) paper_.label(at, s->name, 9, 8);
+      if (has_name) paper_.label(at, s->name, 9, 9.5);
     }
   }
 
