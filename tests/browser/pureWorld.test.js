@@ -48,7 +48,7 @@ async function assertSector(page, map, id) {
             return isLive ? node.url[0].replace(/^.*\/|\.x3d$/g, '') : '';
         });
         return wanted.every(near => live.includes(near));
-    }, { id, wanted }, { timeout: 60000, polling: 100 });
+    }, { id, wanted }, { timeout: 180000, polling: 100 });
 }
 
 /** Moves the eye in a straight line, 0.5 m a frame, as a navigation paradigm would. */

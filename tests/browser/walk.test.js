@@ -120,7 +120,7 @@ async function walkThroughGate(visitor, map, chain, i) {
     const leg = await map.path(chain[i - 1], from, gate);
     assert.ok(leg && onward, `no way from ${chain[i - 1]} to ${chain[i]}`);
     await visitor.walk([...leg, ...untilWellInside(await map.sector(chain[i - 1]), gate, onward)]);
-    await visitor.page.waitForFunction(id => window.vicus.visit.current === id, chain[i], { timeout: 20000 });
+    await visitor.isIn(chain[i]);
 }
 
 /** The way from the gate until the visitor is well off the ground that was left: beyond the hysteresis. */

@@ -19,7 +19,7 @@ export class Visitor {
 
     /** ms from navigation until the sector the visitor is in was there. */
     async streetTime() {
-        await this.page.waitForFunction(() => window.vicus?.visit.firstStreetAt, null, { timeout: 60000 });
+        await this.page.waitForFunction(() => window.vicus?.visit.firstStreetAt, null, { timeout: 180000 });
         return this.page.evaluate(() => window.vicus.visit.firstStreetAt);
     }
 
@@ -33,7 +33,7 @@ export class Visitor {
         });
     }
 
-    async settle(seconds = 30) {
+    async settle(seconds = 60) {
         await this.page.waitForFunction(() => {
             const sectors = window.vicus.view.sectors();
             const quiet = window.vicus.view.isIdle() && sectors.every(sector => sector.phase !== 'loading');
@@ -52,6 +52,15 @@ export class Visitor {
     /** Turns to face a plan point. */
     async face([east, north]) {
         await this.page.evaluate(pressKeys, { metres: [[east / 1000, north / 1000]], within: 0, seconds: 30, turnOnly: true });
+    }
+
+    /** Waits until the world says that the visitor is in `id`. Fails with what it says instead. */
+    async isIn(id, seconds = 30) {
+        const arrived = this.page.waitForFunction(id => window.vicus.visit.current === id, id, { timeout: 1000 * seconds });
+        await arrived.catch(async () => {
+            const { sectors } = await this.diary();
+            assert.fail(`not in ${id}: ${JSON.stringify(await this.now())} after ${JSON.stringify(sectors)}`);
+        });
     }
 
     async hold(key, milliseconds) {

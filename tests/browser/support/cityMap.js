@@ -83,10 +83,12 @@ export class CityMap {
         return shortestPath([from, to, ...spots], (a, b) => isClear(walls, a, b));
     }
 
-    /** The sector's walls with room before them, longest first: { stand, wall: [a, b] }; stand is 2.5 m off its middle. */
+    /** The sector's walls (no gates) with room before them, longest first: { stand, wall: [a, b] }; stand is 2.5 m off its middle. */
     async wallsToRunInto(id) {
-        const walls = new GroundWalls([await this.sector(id)]);
-        return walls.walls.filter(([a, b]) => distance(a, b) > 3000).sort((p, q) => distance(...q) - distance(...p))
+        const sector = await this.sector(id), walls = new GroundWalls([sector]);
+        const isGate = ([a, b]) => sector.gates.some(({ line }) =>
+            line.some((point, i) => i > 0 && distance(line[i - 1], a) === 0 && distance(point, b) === 0));
+        return walls.walls.filter(wall => distance(...wall) > 3000 && !isGate(wall)).sort((p, q) => distance(...q) - distance(...p))
             .map(([a, b]) => ({ stand: pointBefore(a, b, 2500), wall: [a, b] }))
             .filter(({ stand }) => walls.isOnGround(stand) && walls.clearance(stand) > 1500);
     }
