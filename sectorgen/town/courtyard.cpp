@@ -27,6 +27,7 @@ Vec heart_of(const Ring& court, double& clearance) {
 }
 
 void draw_passage(Site& site, const Passage& p, const Ring& court, Vec heart, std::size_t face) {
+  site.sights |= kPassage;
   const NodeId street = join_street(site.network, site.map, face, p.line, p.outer);
   const NodeId outer = site.map.node(p.outer), inner = site.map.node(p.inner);
   const bool is_drive = site.rng.chance(0.4);

@@ -39,7 +39,7 @@ std::string number_text(double value) {
 Tags house_tags(Site& site, const Lot& lot) {
   Rng& rng = site.rng;
   Tags tags;
-  if (rng.chance(0.12)) {  // a map knows nothing of some houses
+  if (!lot.is_long && rng.chance(0.12)) {  // a map knows nothing of some houses
     tags.emplace_back("building", "yes");
     return tags;
   }

@@ -54,6 +54,7 @@ void build_park(Site& site, std::size_t face) {
   const Vec middle = centroid_of(lawn);
   const double radius = std::min(14.0, distance_to_ring(middle, lawn) / 2);
   if (radius > 3) {
+    site.sights |= kPark;
     site.map.closed_way(site.map.nodes_of(blob(site.rng, middle, radius, 14)),
                         {{"natural", "water"}, {"water", "pond"}, {"name", "Schwanenteich"}});
     draw_paths(site, lawn, sides, face, middle, radius);

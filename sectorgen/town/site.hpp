@@ -22,6 +22,11 @@ class Names {
   std::unordered_map<std::string, int> used_;
 };
 
+/// What a town of 200 houses must show; bits of Site::sights.
+inline constexpr unsigned kChurch = 1, kIsland = 2, kPark = 4, kPalace = 8, kGate = 16, kPassage = 32, kAlley = 64,
+                          kCrossroads = 128;
+inline constexpr unsigned kAllSights = 255;
+
 struct Site {
   OsmMap& map;
   Names& names;
@@ -35,6 +40,7 @@ struct Site {
   Network network;
   double river_north = 0;  ///< y of the embankment before bending; used when is_whole_town
   std::size_t bridge_vertex = Edge::kNoFace;
+  unsigned sights = 0;
   int interiors = 0, special_shops = 0;
 };
 
@@ -78,7 +84,7 @@ void build_detached(Site& site, std::size_t face);
 /// On both sides of a road through open land.
 void build_along(Site& site, const Polyline& street, std::size_t line);
 
-// squares.cpp, park.cpp, river.cpp, wall.cpp, streets.cpp
+// squares.cpp, palace.cpp, park.cpp, river.cpp, wall.cpp, streets.cpp
 void build_market(Site& site, std::size_t face);
 void build_second_square(Site& site, std::size_t face);
 void build_palace(Site& site, std::size_t face);

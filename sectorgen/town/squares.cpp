@@ -3,7 +3,7 @@
 
 #include "sectorgen/town/site.hpp"
 
-/// Market with church, the angular second square with its island, the palace.
+/// Market with church, the angular second square with its island.
 namespace vicus::town {
 
 namespace {
@@ -113,6 +113,7 @@ void build_market(Site& site, std::size_t face) {
       const Ring room = rectangle(at - east * (1.7 * scale), east, 16.5 * scale, 7.5 * scale);
       if (!std::all_of(room.begin(), room.end(), [&](Vec p) { return contains_with_margin(ring, p, 1); })) continue;
       build_church(site, at, east, scale);
+      site.sights |= kChurch;
       church = room;
       break;
     }
@@ -165,68 +166,13 @@ void build_second_square(Site& site, std::size_t face) {
   Ring keep_out;
   if (const auto island = room_for_island(square, u)) {
     build_island(site, *island, first.line);
+    site.sights |= kIsland;
     keep_out = rectangle(centroid_of(*island), u, 11, 10);
   }
   put(site, square, keep_out, mix(on_first, far, 0.25) + v * 3, {{"natural", "tree"}});
   put(site, square, keep_out, mix(on_last, far, 0.25) + u * 3, {{"natural", "tree"}});
   put(site, square, keep_out, mix(on_last, far, 0.15) + u * 4, {{"amenity", "bench"}});
   put(site, square, keep_out, mix(on_first, far, 0.15) + v * 4, {{"amenity", "drinking_water"}});
-}
-
-/// One house around a court of its own, entered by a passage from its longest side.
-void build_palace(Site& site, std::size_t face) {
-  const auto sides = facade_sides(site.network, face, {0.5, kWallSetback}, site.rng.next());
-  const std::size_t n = sides.size();
-  Ring corners;
-  for (const Side& s : sides) corners.push_back(s.front.front());
-  if (n < 3) return;
-  Polyline closed = corners;
-  closed.insert(closed.end(), corners.begin(), corners.begin() + 2);
-  const Polyline inset = offset_left(closed, 11);
-  Ring court(inset.begin() + 1, inset.end() - 1);  // court[i] lies behind corners[i + 1]
-  const Ring walls = ring_of(sides);
-  const bool fits = is_simple(walls) && is_simple(court) && area_of(court) > 60 &&
-                    std::all_of(court.begin(), court.end(), [&](Vec p) { return contains_with_margin(walls, p, 5); });
-  if (!fits) {
-    build_rows(site, sides, face);
-    return;
-  }
-  std::size_t door = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (site.network.lines[sides[i].line].kind != StreetKind::avenue &&
-        length_of(sides[i].front) > length_of(sides[door].front))
-      door = i;
-  const Polyline& front = sides[door].front;
-  Vec forward;
-  Passage p;
-  p.outer = point_along(front, length_of(front) / 2, &forward);
-  p.inward = left_of(forward);
-  p.line = sides[door].line;
-  const Vec a = court[(door + n - 1) % n], b = court[door];
-  const auto t = meeting_on_line(a, b, p.outer, p.outer + p.inward);
-  // The ring begins with the front, so that the door is in it, not in the passage.
-  Ring outer{front[0]};
-  double walked = 0;
-  bool has_passage = t && *t > 0.1 && *t < 0.9;
-  for (std::size_t i = 1; i < front.size(); ++i) {
-    const double before = walked;
-    walked += distance(front[i - 1], front[i]);
-    const double half = length_of(front) / 2;
-    if (has_passage && before < half && half <= walked) outer.push_back(p.outer);
-    outer.push_back(front[i]);
-  }
-  outer.pop_back();
-  for (std::size_t k = 1; k < n; ++k) {
-    const Polyline& other = sides[(door + k) % n].front;
-    outer.insert(outer.end(), other.begin(), other.end() - 1);
-  }
-  Ring well = court;
-  if (has_passage) {
-    p.inner = mix(a, b, *t);
-    well.insert(well.begin() + static_cast<std::ptrdiff_t>((door + n - 1) % n) + 1, p.inner);
-  }
-  if (!build_house(site, outer, {p.line, 1, true, true}, well) || !has_passage) return;
-  lay_out_courtyard(site, court, {p}, face);
 }
 
 }  // namespace vicus::town

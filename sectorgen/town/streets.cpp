@@ -207,6 +207,13 @@ void draw_streets(Site& site) {
   std::vector<std::vector<std::size_t>> of_line(n.lines.size());
   for (std::size_t e = 0; e < n.edges.size(); ++e)
     if (n.edges[e].is_kept) of_line[n.edges[e].line].push_back(e);
+  std::vector<int> arms(n.vertices.size());
+  for (const Edge& e : n.edges) {
+    if (!e.is_kept) continue;
+    if (n.lines[e.line].kind == StreetKind::lane) site.sights |= kAlley;
+    ++arms[e.from];
+    if (++arms[e.to] > 3 || arms[e.from] > 3) site.sights |= kCrossroads;
+  }
   Crossings crossings;
   for (const bool is_avenue : {true, false})
     for (std::size_t l = 0; l < n.lines.size(); ++l) {

@@ -68,19 +68,25 @@ void build_site(Site& site) {
   draw_streets(site);
 }
 
-/// One town, or villages far apart. False when the ground is too small.
-bool build_villages(const TownOptions& options, double scale, Rng& rng, OsmMap& map, TownCounts& counts) {
+enum class Outcome { whole, lacks_ground, lacks_sights };
+
+/// One town, or villages far apart.
+Outcome build_villages(const TownOptions& options, double scale, Rng& rng, OsmMap& map, TownCounts& counts) {
   Names names;
   constexpr int kVillages = 4;
   constexpr double kFarEast = 29'000, kFarNorth = 9'000;
   const int villages = options.features.huge ? kVillages : 1;
   std::optional<Site> before;
+  Outcome outcome = Outcome::whole;
   for (int i = 0; i < villages; ++i) {
     Site site{map, names, counts, options.features, rng.fork(), {}, 0, scale, false, {}, 0};
     if (villages > 1) site.origin = {kFarEast * (2.0 * i / (villages - 1) - 1), rng.between(-kFarNorth, kFarNorth)};
     site.houses_left = options.houses * (i + 1) / villages - options.houses * i / villages;
     build_site(site);
-    if (site.houses_left > 0) return false;
+    if (site.houses_left > 0) return Outcome::lacks_ground;
+    const unsigned dispensable = (site.features.t_junctions ? kCrossroads : 0) |
+                                 (site.features.detached || site.features.no_streets ? kPassage | kIsland : 0);
+    if (site.is_whole_town && (site.sights | dispensable) != kAllSights) outcome = Outcome::lacks_sights;
     if (before) {
       const Vec east = unit(site.origin - before->origin);
       draw_country_road(site, outlet_of(*before, east), outlet_of(site, east * -1));
@@ -88,7 +94,7 @@ bool build_villages(const TownOptions& options, double scale, Rng& rng, OsmMap& 
     if (i + 1 == villages) build_scenes(site);
     before.emplace(std::move(site));
   }
-  return true;
+  return outcome;
 }
 
 }  // namespace
@@ -96,20 +102,21 @@ bool build_villages(const TownOptions& options, double scale, Rng& rng, OsmMap& 
 
 namespace {
 
-/// The town on ground of the given scale; nothing when the ground bears fewer houses than asked for.
-std::optional<Town> try_town(const TownOptions& options, double scale) {
-  town::Rng rng(options.seed);
+/// The n-th variant of the town, on ground of the given scale.
+town::Outcome try_town(const TownOptions& options, std::uint64_t variant, double scale, Town& result) {
+  town::Rng rng(options.seed + variant * 0x632BE59BD9B4E019ull);
   double lat = options.lat_deg, lon = options.lon_deg;
   if (options.features.arctic) lat = 85;
   if (options.features.antimeridian) lon = 180;
   town::OsmMap map(lat, lon);
-  Town result;
-  if (!town::build_villages(options, scale, rng, map, result.counts)) return std::nullopt;
+  result = {};
+  const town::Outcome outcome = town::build_villages(options, scale, rng, map, result.counts);
+  if (outcome == town::Outcome::lacks_ground) return outcome;
   result.counts.nodes = map.node_count();
   result.counts.ways = map.way_count();
   result.counts.relations = map.relation_count();
   result.osm = map.xml();
-  return result;
+  return outcome;
 }
 
 }  // namespace
@@ -117,9 +124,17 @@ std::optional<Town> try_town(const TownOptions& options, double scale) {
 Town make_town(const TownOptions& options) {
   assert(options.houses >= kMinHouses && options.houses <= kMaxHouses);
   constexpr int kLarge = 1000;  // from here on the outskirts thin out: measured
+  constexpr std::uint64_t kMostVariants = 40;
   double scale = options.features.detached ? 1.7 : options.houses >= kLarge ? 1.12 : 1;
-  for (;; scale *= 1.12)
-    if (auto town = try_town(options, scale)) return std::move(*town);
+  std::uint64_t variant = 0;
+  for (Town town;;) {
+    const town::Outcome outcome = try_town(options, variant, scale, town);
+    if (outcome == town::Outcome::whole) return town;
+    if (outcome == town::Outcome::lacks_ground)
+      scale *= 1.12;
+    else if (++variant == kMostVariants)
+      return town;
+  }
 }
 
 std::string make_town_osm(const TownOptions& options) { return make_town(options).osm; }

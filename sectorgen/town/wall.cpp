@@ -37,6 +37,7 @@ Gate build_gate(Site& site, Edge& street, std::size_t vertex, double off, bool h
   const Vec at = point_along(street.centre, is_start ? off : size - off, &forward);
   const Vec outwards = is_start ? forward * -1 : forward;
   if (!has_house) return {at, outwards};
+  site.sights |= kGate;
   const Vec outer = at + outwards * kGateLong, inner = at - outwards * kGateLong;
   const Vec side = left_of(outwards) * kGateWide;
   const Ring ring = {inner - side, at - side, outer - side, outer, outer + side, at + side, inner + side, inner};
