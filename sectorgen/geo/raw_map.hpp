@@ -33,6 +33,9 @@ struct RawMap {
   std::vector<std::string> licences;
 };
 
+/// What `vicus town` calls itself in its files: nobody's map, so nobody to name.
+inline constexpr const char* kTownGenerator = "vicus town";
+inline constexpr const char* kTownLicence = "Invented town, made by Vicus (CC0 1.0)";
 inline constexpr const char* kOsmLicence = "© OpenStreetMap contributors, ODbL 1.0";
 
 }  // namespace vicus

@@ -355,6 +355,7 @@ void read_osm(const std::filesystem::path& path, RawMap& map) try {
   locations.ignore_errors();
   FeatureCollector features{map, relations.member_ways};
   osmium::io::Reader reader{file, osmium::osm_entity_bits::node | osmium::osm_entity_bits::way};
+  const bool is_invented = reader.header().get("generator") == kTownGenerator;
   osmium::apply(reader, locations, features);
   reader.close();
   if (features.objects_seen == 0)
@@ -363,7 +364,7 @@ void read_osm(const std::filesystem::path& path, RawMap& map) try {
   RelationReader polygons{map, features};
   for (const osmium::Relation& relation : relations.kept.select<osmium::Relation>()) polygons.read(relation);
   polygons.drop_replaced_ways();
-  map.licences.push_back(kOsmLicence);
+  map.licences.push_back(is_invented ? kTownLicence : kOsmLicence);
 } catch (const CityError&) {
   throw;
 } catch (const std::exception& error) {
