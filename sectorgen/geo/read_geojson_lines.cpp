@@ -114,7 +114,10 @@ LayerFacts geojson_lines_facts(const fs::path& path) {
 
 void read_geojson_lines(const LayerChoice& choice, RawMap& map) {
   LineReader lines(choice.layer.file);
-  FeatureAdder adder(choice, map, {});
+  CoordinateSystem degrees;
+  degrees.name = "EPSG:4326, as GeoJSON prescribes";
+  degrees.is_declared = true;
+  FeatureAdder adder(choice, map, degrees);
   std::string_view line;
   for (long long number = 0; lines.next(line);) {
     if (line.empty()) continue;

@@ -101,26 +101,40 @@ RingFault fault_of(const GEOSGeometry* geometry) {
 
 bool is_geos_valid(const GEOSGeometry* geometry) { return GEOSisValid_r(geos(), geometry) == 1; }
 
-std::vector<Polygon> made_valid(const Geometry& geometry) {
-  struct DestroyParams {
-    void operator()(GEOSMakeValidParams* params) const { GEOSMakeValidParams_destroy_r(geos(), params); }
-  };
-  std::unique_ptr<GEOSMakeValidParams, DestroyParams> by_structure(GEOSMakeValidParams_create_r(geos()));
-  GEOSMakeValidParams_setMethod_r(geos(), by_structure.get(), GEOS_MAKE_VALID_STRUCTURE);
-  GEOSMakeValidParams_setKeepCollapsed_r(geos(), by_structure.get(), 0);
+struct DestroyParams {
+  void operator()(GEOSMakeValidParams* params) const { GEOSMakeValidParams_destroy_r(geos(), params); }
+};
+
+Geometry valid_by_structure(const Geometry& geometry) {
+  const std::unique_ptr<GEOSMakeValidParams, DestroyParams> params(GEOSMakeValidParams_create_r(geos()));
+  GEOSMakeValidParams_setMethod_r(geos(), params.get(), GEOS_MAKE_VALID_STRUCTURE);
+  GEOSMakeValidParams_setKeepCollapsed_r(geos(), params.get(), 0);
+  return Geometry(GEOSMakeValidWithParams_r(geos(), geometry.get(), params.get()));
+}
+
+/// The repaired outline less the repaired holes. Not the polygon at once: GEOS takes a hole that lies outside of its
+/// outline for a polygon of its own.
+Geometry valid_geometry(const Polygon& polygon) {
+  Geometry valid = valid_by_structure(geometry_of({polygon.outer, {}}));
+  for (const Ring& hole : polygon.holes) {
+    const Geometry valid_hole = valid_by_structure(geometry_of({hole, {}}));
+    if (valid && valid_hole) valid.reset(GEOSDifference_r(geos(), valid.get(), valid_hole.get()));
+  }
+  return valid;
+}
+
+std::vector<Polygon> made_valid(const Polygon& polygon) {
   std::vector<Polygon> valid, pending;
-  const Geometry first(GEOSMakeValidWithParams_r(geos(), geometry.get(), by_structure.get()));
-  if (first) append_polygons(first.get(), pending);
+  if (const Geometry first = valid_geometry(polygon)) append_polygons(first.get(), pending);
   for (int round = 0; round < kRepairRounds && !pending.empty(); ++round) {
     std::vector<Polygon> rounded;
     rounded.swap(pending);
-    for (Polygon& polygon : rounded) {
-      if (is_valid(polygon)) {
-        valid.push_back(std::move(polygon));
-        continue;
+    for (Polygon& part : rounded) {
+      if (is_valid(part)) {
+        valid.push_back(std::move(part));
+      } else if (const Geometry again = valid_geometry(part)) {
+        append_polygons(again.get(), pending);
       }
-      const Geometry again(GEOSMakeValidWithParams_r(geos(), geometry_of(polygon).get(), by_structure.get()));
-      if (again) append_polygons(again.get(), pending);
     }
   }
   return valid;
@@ -137,17 +151,6 @@ bool drop_short_rings(std::vector<Ring>& rings, Repaired& result) {
   if (rings.empty() || is_short(rings.front())) return false;
   rings.erase(std::remove_if(rings.begin(), rings.end(), is_short), rings.end());
   return true;
-}
-
-/// A ring drawn as a hole that has nothing in its outline is no hole of it; GEOS would take it for a polygon.
-void drop_holes_outside(Polygon& polygon) {
-  const auto is_outside = [&](const Ring& hole) {
-    return std::all_of(hole.begin(), hole.end(),
-                       [&](PlanPoint p) { return side_of(p, polygon.outer) == Side::outside; }) &&
-           std::none_of(polygon.outer.begin(), polygon.outer.end(),
-                        [&](PlanPoint p) { return side_of(p, hole) == Side::inside; });
-  };
-  polygon.holes.erase(std::remove_if(polygon.holes.begin(), polygon.holes.end(), is_outside), polygon.holes.end());
 }
 
 /// So that equal input gives equal output however GEOS orders its results.
@@ -179,8 +182,7 @@ std::vector<Polygon> united_polygons(const std::vector<Polygon>& polygons) {
   std::vector<Polygon> rounded, valid;
   if (united) append_polygons(united.get(), rounded);
   for (const Polygon& polygon : rounded) {
-    const std::vector<Polygon> repaired =
-        is_valid(polygon) ? std::vector<Polygon>{polygon} : made_valid(geometry_of(polygon));
+    const std::vector<Polygon> repaired = is_valid(polygon) ? std::vector<Polygon>{polygon} : made_valid(polygon);
     valid.insert(valid.end(), repaired.begin(), repaired.end());
   }
   make_canonical(valid);
@@ -204,8 +206,7 @@ Repaired repaired_polygons(std::vector<Ring> rings) {
     return result;
   }
   if (!result.fault) result.fault = fault_of(geometry.get());
-  drop_holes_outside(polygon);
-  result.polygons = made_valid(geometry_of(polygon));
+  result.polygons = made_valid(polygon);
   make_canonical(result.polygons);
   return result;
 }

@@ -20,10 +20,13 @@ struct Destroy {
 };
 using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
 
+// Geometries are in whole millimetres: in metres a point on a line would be rounded off it.
+constexpr double kSquareMm = 1e-6;
+
 GEOSGeometry* ring_geometry(const Ring& ring) {
   GEOSCoordSequence* points = GEOSCoordSeq_create_r(geos(), static_cast<unsigned>(ring.size() + 1), 2);
   for (unsigned i = 0; i <= ring.size(); ++i)
-    GEOSCoordSeq_setXY_r(geos(), points, i, metres(ring[i % ring.size()].x), metres(ring[i % ring.size()].y));
+    GEOSCoordSeq_setXY_r(geos(), points, i, ring[i % ring.size()].x, ring[i % ring.size()].y);
   return GEOSGeom_createLinearRing_r(geos(), points);
 }
 
@@ -72,16 +75,14 @@ bool is_valid_by_geos(const Polygon& polygon) {
 double area_by_geos_m2(const Polygon& polygon) {
   const Geometry geometry = geometry_of(polygon);
   double area = -1;
-  if (geometry) GEOSArea_r(geos(), geometry.get(), &area);
-  return area;
+  return geometry && GEOSArea_r(geos(), geometry.get(), &area) == 1 ? area * kSquareMm : -1;
 }
 
 double shared_area_by_geos_m2(const Polygon& a, const Polygon& b) {
   const Geometry first = geometry_of(a), second = geometry_of(b);
   const Geometry shared(GEOSIntersection_r(geos(), first.get(), second.get()));
   double area = -1;
-  if (shared) GEOSArea_r(geos(), shared.get(), &area);
-  return area;
+  return shared && GEOSArea_r(geos(), shared.get(), &area) == 1 ? area * kSquareMm : -1;
 }
 
 std::string broken_promise(const SourceMap& map) {
