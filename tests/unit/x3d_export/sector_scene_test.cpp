@@ -184,7 +184,8 @@ TEST(SectorFiles, AreSplitWhereTheyAreTooLargeAndLoseNothing) {
 nlohmann::json record_in(const nlohmann::json& set) {
   nlohmann::json record = nlohmann::json::object();
   for (const auto& item : set.at("-value")) {
-    const auto& [type, node] = *item.items().begin();
+    const std::string type = item.begin().key();
+    const auto& node = item.begin().value();
     const std::string name = node.at("@name");
     if (type == "MetadataSet")
       record[name].push_back(record_in(node));
