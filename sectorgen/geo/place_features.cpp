@@ -186,7 +186,9 @@ class Placer {
     barrier.thickness_m = barrier_thickness_m(feature.tags);
     barrier.line = std::move(line);
     for (LatLon opening : feature.openings)
-      if (const auto at = frame_.plan_from_latlon(opening)) barrier.openings.push_back(*at);
+      if (const auto at = frame_.plan_from_latlon(opening);
+          at && std::find(barrier.openings.begin(), barrier.openings.end(), *at) == barrier.openings.end())
+        barrier.openings.push_back(*at);
     map_.barriers.push_back(std::move(barrier));
   }
 

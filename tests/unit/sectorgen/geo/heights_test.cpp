@@ -105,7 +105,7 @@ TEST(Heights, AnUndersideAboveTheTopIsPutOnTheGround) {
 }
 
 /// Lyon's storeys and heights are both measured: what a guess from storeys alone is worth.
-/// Measured: 5.5 m from storeys (Lyon's are higher than 3 m, built for silk looms), 3 m from neighbours.
+/// Measured: 5.5 m from storeys (those of the old silk weavers are higher than 3 m), 3 m from neighbours.
 TEST(Heights, GuessesComeAsNearLyonsMeasuredHeightsAsStated) {
   const auto data = real_data();
   if (!data) GTEST_SKIP() << "real data is missing: set VICUS_DATA";
