@@ -4,6 +4,10 @@ import { sectorFromRecord } from '../core/sectorRecord.js';
 const kWalkSpeed = 2.2, kRunSpeed = 7;            // m/s
 const kTurnSpeed = 1.6;                           // rad/s
 const kMostPitch = 1.2;                           // rad
+/** Share of a step below which a body counts as head on. */
+const kHeadOn = 0.3;
+const kAside = [0.6, 1.2, Math.PI / 2];           // rad
+const kLeastAsideShare = 0.4;                     // of the speed
 /** s: a stall longer than this (a sector being parsed) moves the visitor no farther. */
 const kLongestStep = 0.2;
 
@@ -18,6 +22,7 @@ export class Walker {
         this.view = view;
         this.walls = new GroundWalls([]);
         this.key = '';
+        this.side = 1;   // 1: passes bodies on the right
     }
 
     /** `records` of the sectors that are there; cheap when they are the same as before. */
@@ -56,8 +61,24 @@ export class Walker {
         const inPlan = constrainMetres(this.walls, from, goal);
         const step = [inPlan[0] - east, inPlan[1] - north];
         if (Math.hypot(...step) < 1e-4) return from;
-        const free = this.view.constrainStep(step);
+        const free = this.passBodies(step);
         if (Math.hypot(free[0] - step[0], free[1] - step[1]) < 1e-6) return inPlan;
         return constrainMetres(this.walls, from, [east + free[0], north + free[1]]);
+    }
+
+    /** Round a body (a trunk, a bench) that stops the step head on: aside, on the same side as the last time first. */
+    passBodies(step) {
+        const passed = this.view.constrainStep(step), length = Math.hypot(...step);
+        if (Math.hypot(...passed) > kHeadOn * length) return passed;
+        for (const side of [this.side, -this.side])
+            for (const angle of kAside) {
+                const cos = Math.cos(angle), sin = side * Math.sin(angle), share = Math.max(cos, kLeastAsideShare);
+                const aside = [share * (cos * step[0] + sin * step[1]), share * (cos * step[1] - sin * step[0])];
+                const free = this.view.constrainStep(aside);
+                if (Math.hypot(...free) <= kHeadOn * Math.hypot(...aside)) continue;
+                this.side = side;
+                return free;
+            }
+        return passed;
     }
 }

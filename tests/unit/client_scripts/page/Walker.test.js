@@ -55,6 +55,16 @@ test('a body in the way stops the visitor where the plan has no wall', () => {
     assert.deepEqual([view.at.east, view.at.north], [20, 5]);
 });
 
+test('a visitor gets round a post head on, and past a bench', () => {
+    for (const [reach, width] of [[0.6, 0.6], [0.6, 1.2]]) {
+        const view = viewAt(20, 5);
+        const isIn = (east, north) => Math.abs(east - 25) < reach && Math.abs(north - 5) < width;
+        view.constrainStep = step => (isIn(view.at.east + step[0], view.at.north + step[1]) ? [0, 0] : step);
+        seconds(walkerIn(view), { forward: 1 }, 8);
+        assert.ok(view.at.east > 26, `stuck at ${view.at.east}, ${view.at.north}`);
+    }
+});
+
 test('turning and looking move nobody; pitch has an end', () => {
     const view = viewAt(20, 5, 0), walker = walkerIn(view);
     walker.step({ ...kStill, look: [0.5, 9] }, 0.05);
