@@ -120,9 +120,10 @@ std::vector<Ring> simple_rings(const Ring& walk) {
     const PlanPoint p = clean[k % clean.size()];
     const auto seen = at.find(p);
     if (seen != at.end()) {
-      Ring loop(stack.begin() + static_cast<std::ptrdiff_t>(seen->second), stack.end());
-      for (std::size_t i = seen->second; i < stack.size(); ++i) at.erase(stack[i]);
-      stack.resize(seen->second);
+      const std::size_t from = seen->second;  // the erasing below ends `seen`
+      Ring loop(stack.begin() + static_cast<std::ptrdiff_t>(from), stack.end());
+      for (PlanPoint q : loop) at.erase(q);
+      stack.resize(from);
       loop = without_spikes(loop);
       if (loop.size() >= 3 && area2(loop) != 0) rings.push_back(std::move(loop));
     }
