@@ -73,7 +73,8 @@ void lay_out_courtyard(Site& site, const Ring& court, const std::vector<Passage>
     site.map.closed_way(site.map.nodes_of(green), {{"landuse", "grass"}});
   }
   for (int i = 0; i < 4 && clearance > 2; ++i) {
-    const Vec at = heart + direction_of_turn(site.rng.unit()) * (clearance * site.rng.between(0.3, 1.3));
+    const double turn = site.rng.unit(), reach = clearance * site.rng.between(0.3, 1.3);
+    const Vec at = heart + direction_of_turn(turn) * reach;
     if (contains_with_margin(court, at, 1.2)) site.map.point(at, {{"natural", "tree"}});
   }
 }

@@ -67,7 +67,8 @@ bool build_plot(Site& site, Garden& garden, Vec front, Vec forward, double wide,
       build_fence(site, front - half + off, front + half + off, inward, depth);
   }
   for (int i = 0; i < 2; ++i) {
-    const Vec tree = at + inward * (b + rng.between(2, 10)) + forward * rng.between(-wide / 2, wide / 2);
+    const double deep = b + rng.between(2, 10), aside = rng.between(-wide / 2, wide / 2);
+    const Vec tree = at + inward * deep + forward * aside;
     const Ring room = rectangle(tree, {1, 0}, 1, 1);
     if (is_free(garden, room, 2))
       site.map.point(tree, {{"natural", "tree"}, {"height", number_text(rng.between(4, 14))}});

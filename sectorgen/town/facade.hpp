@@ -27,4 +27,7 @@ std::vector<Side> facade_sides(const Network& network, std::size_t face, const S
 
 Ring ring_of(const std::vector<Side>& sides);
 
+/// Does the town wall stand before this side?
+inline bool is_walled(const Network& n, const Side& side) { return n.lines[side.line].has_wall && side.is_left; }
+
 }  // namespace vicus::town

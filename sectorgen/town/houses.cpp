@@ -25,8 +25,8 @@ void add_roof(Rng& rng, bool is_core, int levels, Tags& tags) {
   if (rng.chance(0.3)) tags.emplace_back("roof:levels", rng.chance(0.3) ? "2" : "1");
   if (rng.chance(0.5)) tags.emplace_back("roof:colour", pick(rng, kRoofColours));
   if (rng.chance(0.25)) tags.emplace_back("roof:material", "roof_tiles");
-  if (rng.chance(is_core ? 0.45 : 0.25))
-    tags.emplace_back("height", number_text(levels * rng.between(3.0, 3.6) + rng.between(2.5, 5)));
+  const double storey = rng.between(3.0, 3.6), roof = rng.between(2.5, 5);
+  if (rng.chance(is_core ? 0.45 : 0.25)) tags.emplace_back("height", number_text(levels * storey + roof));
 }
 
 }  // namespace

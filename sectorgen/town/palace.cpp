@@ -57,7 +57,7 @@ void build_palace(Site& site, std::size_t face) {
   }
   std::size_t door = 0;
   for (std::size_t i = 0; i < n; ++i)
-    if (site.network.lines[sides[i].line].kind != StreetKind::avenue &&
+    if (site.network.lines[sides[i].line].kind != StreetKind::avenue && !is_walled(site.network, sides[i]) &&
         length_of(sides[i].front) > length_of(sides[door].front))
       door = i;
   const Polyline& front = sides[door].front;

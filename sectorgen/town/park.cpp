@@ -24,11 +24,12 @@ void draw_paths(Site& site, const Ring& lawn, const std::vector<Side>& sides, st
     round.push_back(site.map.node(stations.back()));
   }
   round.push_back(round.front());
+  bool has_steps = false;
   draw_footway(site, round);
   for (const Side& side : sides) {
     const Vec gate = point_along(side.front, length_of(side.front) * site.rng.between(0.4, 0.6));
     const StreetKind kind = site.network.lines[side.line].kind;
-    if (kind == StreetKind::avenue || site.features.no_streets) continue;
+    if (kind == StreetKind::avenue || is_walled(site.network, side) || site.features.no_streets) continue;
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < stations.size(); ++i)
       if (distance(stations[i], gate) < distance(stations[nearest], gate)) nearest = i;
@@ -38,9 +39,10 @@ void draw_paths(Site& site, const Ring& lawn, const std::vector<Side>& sides, st
     const NodeId entry = site.map.node(gate);
     if (!contains(lawn, bow)) continue;
     draw_footway(site, {street, entry, site.map.node(bow)});
-    const bool is_steep = &side == &sides.front();
-    draw_way(site, {site.map.node(bow), round[nearest]},
-             {{"highway", is_steep ? "steps" : "footway"}, {"width", "2.0"}, {"step_count", is_steep ? "12" : "0"}});
+    Tags tags{{"highway", has_steps ? "footway" : "steps"}, {"width", "2.0"}};
+    if (!has_steps) tags.emplace_back("step_count", "12");
+    draw_way(site, {site.map.node(bow), round[nearest]}, tags);
+    has_steps = true;
   }
 }
 
@@ -60,7 +62,8 @@ void build_park(Site& site, std::size_t face) {
     draw_paths(site, lawn, sides, face, middle, radius);
   }
   for (int i = 0; i < 60; ++i) {
-    const Vec at = middle + direction_of_turn(site.rng.unit()) * site.rng.between(radius * 1.8, 50);
+    const double turn = site.rng.unit(), reach = site.rng.between(radius * 1.8, 50);
+    const Vec at = middle + direction_of_turn(turn) * reach;
     if (!contains_with_margin(lawn, at, 3)) continue;
     const double height = site.rng.between(6, 22);
     if (i % 8 == 0)

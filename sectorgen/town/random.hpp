@@ -5,6 +5,7 @@
 /// Chance, the same on every machine.
 namespace vicus::town {
 
+/// Never draw twice in one expression: which operand comes first is the compiler's choice.
 /// splitmix64 (Steele, Lea, Flood, OOPSLA 2014): integers only, so equal seeds give equal towns everywhere.
 class Rng {
  public:

@@ -226,7 +226,8 @@ bool suits_passage(const Site& site, const Plot& p, const Ring& court) {
   const StreetKind kind = site.network.lines[p.side->line].kind;
   const bool is_street = kind == StreetKind::street || kind == StreetKind::main || kind == StreetKind::ring;
   const Passage way = passage_of(p);
-  return is_street && !meets_ring(court, way.inner + way.inward * 0.05, way.inner + way.inward * kCourtBefore);
+  return is_street && !is_walled(site.network, *p.side) &&
+         !meets_ring(court, way.inner + way.inward * 0.05, way.inner + way.inward * kCourtBefore);
 }
 
 std::vector<Passage> break_passages(Site& site, std::vector<Plot>& plots, const Ring& court, Rng& rng) {
@@ -246,7 +247,8 @@ Ring light_well(const Plot& p, Rng& rng) {
       distance(p.ring[1], p.ring[2]) < 10 || !rng.chance(0.3))
     return {};
   const Vec c = centroid_of(p.ring);
-  Ring well = rectangle(c, unit(p.ring[1] - p.ring[0]), rng.between(1.3, 2), rng.between(1.3, 2));
+  const double half_wide = rng.between(1.3, 2), half_deep = rng.between(1.3, 2);
+  Ring well = rectangle(c, unit(p.ring[1] - p.ring[0]), half_wide, half_deep);
   for (const Vec v : well)
     if (!contains_with_margin(p.ring, v, 2)) return {};
   return well;

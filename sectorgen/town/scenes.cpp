@@ -137,7 +137,7 @@ double concave_square(Road& road) {
     house(road, box(road, west, 47, 11, 11));
   }
   for (const double south : {12.0, 27.0, 42.0}) {
-    house(road, box(road, -11, south, 11, south == 12 ? 15 : 15.5));
+    house(road, box(road, -11, south, 11, south == 42 ? 15.5 : 15));
     house(road, box(road, 60, south, 11, 14));
   }
   house(road, box(road, 24, 19, 7, 8));

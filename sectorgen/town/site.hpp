@@ -39,7 +39,6 @@ struct Site {
   bool is_whole_town = false;  ///< large enough for wall, avenue, park and river
   Network network;
   double river_north = 0;  ///< y of the embankment before bending; used when is_whole_town
-  std::size_t bridge_vertex = Edge::kNoFace;
   unsigned sights = 0;
   int interiors = 0, special_shops = 0;
 };

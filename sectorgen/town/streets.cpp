@@ -34,7 +34,8 @@ struct Stop {
 /// Nodes of an edge from its start to its end, junctions in their places.
 std::vector<Stop> stops_of(Site& site, const Edge& e) {
   std::vector<Junction> junctions = e.junctions;
-  std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) { return a.at < b.at; });
+  std::sort(junctions.begin(), junctions.end(),
+            [](const Junction& a, const Junction& b) { return std::pair(a.at, a.node) < std::pair(b.at, b.node); });
   std::vector<Stop> stops;
   double at = 0;
   std::size_t next = 0;

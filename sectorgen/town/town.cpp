@@ -27,6 +27,7 @@ std::vector<std::size_t> faces_from_middle(const Network& n, Vec origin) {
 void build_face(Site& site, std::size_t face) {
   Face& f = site.network.faces[face];
   const bool is_row = f.use == Use::open && f.zone == Zone::core && !site.features.detached;
+  if (site.features.detached && (f.use == Use::second_square || f.use == Use::palace)) f.use = Use::open;
   switch (f.use) {
     case Use::market:
       return build_market(site, face);
@@ -79,17 +80,19 @@ Outcome build_villages(const TownOptions& options, double scale, Rng& rng, OsmMa
   std::optional<Site> before;
   Outcome outcome = Outcome::whole;
   for (int i = 0; i < villages; ++i) {
-    Site site{map, names, counts, options.features, rng.fork(), {}, 0, scale, false, {}, 0};
+    Site site{map, names, counts, options.features, rng.fork(), {}, 0, scale, false, {}, 0, 0};
     if (villages > 1) site.origin = {kFarEast * (2.0 * i / (villages - 1) - 1), rng.between(-kFarNorth, kFarNorth)};
     site.houses_left = options.houses * (i + 1) / villages - options.houses * i / villages;
     build_site(site);
     if (site.houses_left > 0) return Outcome::lacks_ground;
-    const unsigned dispensable = (site.features.t_junctions ? kCrossroads : 0) |
-                                 (site.features.detached || site.features.no_streets ? kPassage | kIsland : 0);
+    const unsigned dispensable =
+        (site.features.t_junctions ? kCrossroads : 0) |
+        (site.features.detached || site.features.no_streets ? kPassage | kIsland | kPalace : 0);
     if (site.is_whole_town && (site.sights | dispensable) != kAllSights) outcome = Outcome::lacks_sights;
     if (before) {
       const Vec east = unit(site.origin - before->origin);
-      draw_country_road(site, outlet_of(*before, east), outlet_of(site, east * -1));
+      const Outlet from = outlet_of(*before, east), to = outlet_of(site, east * -1);
+      draw_country_road(site, from, to);
     }
     if (i + 1 == villages) build_scenes(site);
     before.emplace(std::move(site));
