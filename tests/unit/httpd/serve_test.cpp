@@ -338,7 +338,7 @@ TEST(HttpServer, ServesManyConnectionsAtOnce) {
   {
     std::vector<std::jthread> threads;
     for (int t = 0; t < 8; ++t)
-      threads.emplace_back([&] {
+      threads.emplace_back([&, t] {
         RawClient client(server.port());
         for (int i = 0; i < 200; ++i) {
           const auto target = "/" + std::to_string(t * 1000 + i);
