@@ -1,0 +1,224 @@
+#include "sectorgen/visibility/line_of_sight.hpp"
+
+#include <algorithm>
+
+#include "city_db/run_parallel.hpp"
+#include "sectorgen/geom/predicates.hpp"
+
+namespace vicus {
+namespace {
+
+/// One of the two chains that bound a bundle of lines: the points at its front are nearest to where it began.
+struct Chain {
+  std::vector<PlanPoint> points;
+  std::size_t first = 0;
+
+  void start(PlanPoint p) {
+    points.assign(1, p);
+    first = 0;
+  }
+  PlanPoint front() const { return points[first]; }
+  PlanPoint back() const { return points.back(); }
+  std::size_t size() const { return points.size() - first; }
+  PlanPoint second() const { return points[first + 1]; }
+  PlanPoint last_but_one() const { return points[points.size() - 2]; }
+};
+
+/// All lines through the sides entered so far. Every line has the left chain on its left and the right chain on its
+/// right; the outermost two run from the right chain's front to the left chain's back, and the other way round.
+///
+///          l2 ---- r2        left  chain: l0 l2          \ leftmost line: r0 -> l2
+///         /         \        right chain: r0 r2          / rightmost line: l0 -> r2
+///       l0 --------- r0
+struct Bundle {
+  Chain left, right;
+
+  std::int64_t beyond_leftmost(PlanPoint p) const { return orient(right.front(), left.back(), p); }    // > 0: left of it
+  std::int64_t beyond_rightmost(PlanPoint p) const { return orient(left.front(), right.back(), p); }  // < 0: right of it
+
+  /// p is to be on the left of every line from now on.
+  void narrow_left(PlanPoint p) {
+    while (left.size() >= 2 && orient(left.last_but_one(), left.back(), p) <= 0) left.points.pop_back();
+    left.points.push_back(p);
+    while (right.size() >= 2 && orient(right.front(), p, right.second()) >= 0) ++right.first;
+  }
+  void narrow_right(PlanPoint p) {
+    while (right.size() >= 2 && orient(right.last_but_one(), right.back(), p) >= 0) right.points.pop_back();
+    right.points.push_back(p);
+    while (left.size() >= 2 && orient(left.front(), p, left.second()) <= 0) ++left.first;
+  }
+};
+
+/// A branch to come back to: the side to enter and the chains, kept in the search's store.
+struct Branch {
+  std::uint32_t side;
+  std::size_t left_begin, right_begin;  // in the store; the right chain ends where the next branch begins
+};
+
+class Search {
+ public:
+  Search(const SightMap& map, std::uint64_t budget) : map_(map), budget_(budget), seen_(map.sector_count(), kNowhere) {}
+
+  /// false: the budget is used up.
+  bool run(std::uint32_t sector) {
+    source_ = sector;
+    found_.clear();
+    mark(sector);
+    steps_ = 0;
+    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t side = map_.cells[c].beyond[k];
+        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        if (!look_through(side)) return false;
+      }
+    return true;
+  }
+
+  std::vector<std::uint32_t> found() {
+    std::sort(found_.begin(), found_.end());
+    return found_;
+  }
+  std::uint64_t steps() const { return steps_; }
+
+  /// Every sector that a walk through sides not wholly behind one side of the rim reaches: no line is missed.
+  void flood(std::uint32_t sector) {
+    source_ = sector;
+    found_.clear();
+    std::fill(seen_.begin(), seen_.end(), kNowhere);
+    mark(sector);
+    std::vector<std::uint32_t> entered(map_.cells.size(), kNowhere), queue;
+    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const SightCell& from = map_.cells[c];
+        const std::uint32_t side = from.beyond[k];
+        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        const PlanPoint a = from.corner[(k + 1) % 3], b = from.corner[(k + 2) % 3];
+        const std::uint32_t stamp = 4 * c + k;
+        queue.assign(1, side >> 2);
+        entered[side >> 2] = stamp;
+        while (!queue.empty()) {
+          const SightCell& cell = map_.cells[queue.back()];
+          queue.pop_back();
+          if (cell.sector != kNowhere) mark(cell.sector);
+          for (std::size_t s = 0; s < 3; ++s) {
+            if (cell.beyond[s] == kNowhere || entered[cell.beyond[s] >> 2] == stamp) continue;
+            // The source lies left of ab; a line through ab goes on to the right.
+            if (orient(a, b, cell.corner[(s + 1) % 3]) > 0 && orient(a, b, cell.corner[(s + 2) % 3]) > 0) continue;
+            entered[cell.beyond[s] >> 2] = stamp;
+            queue.push_back(cell.beyond[s] >> 2);
+          }
+        }
+      }
+  }
+
+ private:
+  void mark(std::uint32_t sector) {
+    if (seen_[sector] == source_) return;
+    seen_[sector] = source_;
+    found_.push_back(sector);
+  }
+
+  bool look_through(std::uint32_t side) {
+    const SightCell& first = map_.cells[side >> 2];
+    bundle_.left.start(first.corner[((side & 3) + 1) % 3]);
+    bundle_.right.start(first.corner[((side & 3) + 2) % 3]);
+    for (;;) {
+      side = enter(side);
+      if (++steps_ > budget_) {
+        branches_.clear();
+        store_.clear();
+        return false;
+      }
+      if (side != kNowhere) continue;
+      if (branches_.empty()) return true;
+      side = take_branch();
+    }
+  }
+
+  /// Enters the cell by that side; says by which side to go on, and keeps the other way for later where both are open.
+  std::uint32_t enter(std::uint32_t side) {
+    const SightCell& cell = map_.cells[side >> 2];
+    const std::uint32_t s = side & 3;
+    if (cell.sector != kNowhere) mark(cell.sector);
+    const PlanPoint apex = cell.corner[s];
+    const std::uint32_t to_right = cell.beyond[s == 2 ? 0 : s + 1], to_left = cell.beyond[s == 0 ? 2 : s - 1];
+    const std::int64_t beyond_left = bundle_.beyond_leftmost(apex), beyond_right = bundle_.beyond_rightmost(apex);
+    const bool go_right = to_right != kNowhere && beyond_right >= 0;  // the apex is the left end there
+    const bool go_left = to_left != kNowhere && beyond_left <= 0;
+    if (go_right && go_left) keep_branch(to_left, beyond_right > 0, apex);
+    if (go_right) {
+      if (beyond_left < 0) bundle_.narrow_left(apex);
+      return to_right;
+    }
+    if (!go_left) return kNowhere;
+    if (beyond_right > 0) bundle_.narrow_right(apex);
+    return to_left;
+  }
+
+  void keep_branch(std::uint32_t side, bool narrows, PlanPoint apex) {
+    const auto keep = [&](const Chain& chain) {
+      store_.insert(store_.end(), chain.points.begin() + static_cast<std::ptrdiff_t>(chain.first), chain.points.end());
+    };
+    Branch branch{side, store_.size(), 0};
+    if (narrows) {
+      Bundle narrowed = bundle_;
+      narrowed.narrow_right(apex);
+      keep(narrowed.left);
+      branch.right_begin = store_.size();
+      keep(narrowed.right);
+    } else {
+      keep(bundle_.left);
+      branch.right_begin = store_.size();
+      keep(bundle_.right);
+    }
+    branches_.push_back(branch);
+  }
+
+  std::uint32_t take_branch() {
+    const Branch branch = branches_.back();
+    branches_.pop_back();
+    const auto at = [&](std::size_t i) { return store_.begin() + static_cast<std::ptrdiff_t>(i); };
+    bundle_.left.points.assign(at(branch.left_begin), at(branch.right_begin));
+    bundle_.right.points.assign(at(branch.right_begin), store_.end());
+    bundle_.left.first = bundle_.right.first = 0;
+    store_.resize(branch.left_begin);
+    return branch.side;
+  }
+
+  const SightMap& map_;
+  std::uint64_t budget_, steps_ = 0;
+  std::uint32_t source_ = 0;
+  std::vector<std::uint32_t> seen_, found_;
+  Bundle bundle_;
+  std::vector<Branch> branches_;
+  std::vector<PlanPoint> store_;
+};
+
+}  // namespace
+
+SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
+  const std::size_t sectors = map.sector_count();
+  const unsigned threads = thread_count(options.threads);
+  SightLists lists;
+  lists.visible.resize(sectors);
+  std::vector<Search> searches(threads, Search(map, options.step_budget));
+  std::vector<std::uint64_t> steps(sectors, 0);
+  std::vector<char> over(sectors, 0);
+  run_parallel(sectors, threads, [&](std::size_t i, unsigned thread) {
+    const auto sector = static_cast<std::uint32_t>(i);
+    Search& search = searches[thread];
+    if (!search.run(sector)) {
+      over[i] = 1;
+      search.flood(sector);
+    }
+    steps[i] = search.steps();
+    lists.visible[i] = search.found();
+  });
+  for (std::uint32_t i = 0; i < sectors; ++i) {
+    lists.steps += steps[i];
+    if (over[i]) lists.over_budget.push_back(i);
+  }
+  return lists;
+}
+
+}  // namespace vicus
