@@ -33,8 +33,10 @@ struct Chain {
 struct Bundle {
   Chain left, right;
 
-  std::int64_t beyond_leftmost(PlanPoint p) const { return orient(right.front(), left.back(), p); }    // > 0: left of it
-  std::int64_t beyond_rightmost(PlanPoint p) const { return orient(left.front(), right.back(), p); }  // < 0: right of it
+  std::int64_t beyond_leftmost(PlanPoint p) const { return orient(right.front(), left.back(), p); }  // > 0: left of it
+  std::int64_t beyond_rightmost(PlanPoint p) const {
+    return orient(left.front(), right.back(), p);
+  }  // < 0: right of it
 
   /// p is to be on the left of every line from now on.
   void narrow_left(PlanPoint p) {

@@ -24,7 +24,8 @@ class RingEdges {
     for (const auto& hole : polygon.holes) add(hole, sector);
   }
   void add_frame(const PlanBox& box) {
-    const PlanPoint low{box.min.x - kFrame_mm, box.min.y - kFrame_mm}, high{box.max.x + kFrame_mm, box.max.y + kFrame_mm};
+    const PlanPoint low{box.min.x - kFrame_mm, box.min.y - kFrame_mm},
+        high{box.max.x + kFrame_mm, box.max.y + kFrame_mm};
     frame_ = {low, {high.x, low.y}, high, {low.x, high.y}};
   }
 

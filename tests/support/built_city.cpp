@@ -38,8 +38,7 @@ const std::vector<RealCity>& real_cities() {
         "paris-montmartre/water.geojsonl.gz"}},
       {"Graz", {"graz/buildings.geojsonl.gz", "graz/streets.geojsonl.gz", "graz/water.geojsonl.gz"}},
       {"BerlinMitte",
-       {"berlin-mitte/buildings.geojsonl.gz", "berlin-mitte/streets.geojsonl.gz",
-        "berlin-mitte/water.geojsonl.gz"}}};
+       {"berlin-mitte/buildings.geojsonl.gz", "berlin-mitte/streets.geojsonl.gz", "berlin-mitte/water.geojsonl.gz"}}};
   return kCities;
 }
 

@@ -1,0 +1,210 @@
+#include "sectorgen/visibility/house_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace vicus {
+namespace {
+
+constexpr double kDoubt_m = 0.001;  // the lattice's step: more than any rounding of doubles within 2^30 mm
+
+constexpr double kAbove_m = 0.02;  // by how much a line must clear a roof to count as clear
+
+double cross(Spot a, Spot b, Spot p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+double distance2_to(const HouseWall& w, Spot p) {
+  const double dx = w.b.x - w.a.x, dy = w.b.y - w.a.y;
+  const double t = std::clamp(((p.x - w.a.x) * dx + (p.y - w.a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  const double ex = w.a.x + t * dx - p.x, ey = w.a.y + t * dy - p.y;
+  return ex * ex + ey * ey;
+}
+
+/// The roof that is drawn is at the eave where that is known; the ridge may be higher, never lower.
+HouseBody body_of(const Building& b) {
+  const double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m;
+  return {b.base_m, eave, std::max(b.eave_m, b.height_m), 0, 0};
+}
+
+}  // namespace
+
+HouseWalls::HouseWalls(const City& city) {
+  struct Side {
+    PlanPoint a, b;
+    std::uint32_t wall;
+  };
+  std::vector<Side> sides;
+  PlanBox box;
+  for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
+    const Building& building = city.buildings[h];
+    HouseBody body = body_of(building);
+    body.first_wall = static_cast<std::uint32_t>(walls_.size());
+    const auto add = [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+        sides.push_back({a, b, static_cast<std::uint32_t>(walls_.size())});
+        walls_.push_back({spot_of(a), spot_of(b), h, 0});
+        box.add(a);
+      }
+    };
+    add(building.footprint.outer);
+    for (const auto& hole : building.footprint.holes) add(hole);
+    body.last_wall = static_cast<std::uint32_t>(walls_.size());
+    houses_.push_back(body);
+  }
+  // Party walls: the house on the other side has the same edge the other way round.
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& x, const Side& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  for (const Side& side : sides) {
+    auto twin = std::lower_bound(sides.begin(), sides.end(), std::pair(side.b, side.a),
+                                 [](const Side& x, const auto& key) { return std::pair(x.a, x.b) < key; });
+    for (; twin != sides.end() && twin->a == side.b && twin->b == side.a; ++twin)
+      if (const HouseBody& other = houses_[walls_[twin->wall].house]; other.stands())
+        walls_[side.wall].beyond_m =
+            std::max(walls_[side.wall].beyond_m, std::nextafter(static_cast<float>(other.sure_top_m), 0.0F));
+  }
+  if (box.is_empty()) box.add({0, 0});
+  left_ = metres(box.min.x) - 1;
+  bottom_ = metres(box.min.y) - 1;
+  const double width = metres(box.max.x) + 1 - left_, height = metres(box.max.y) + 1 - bottom_;
+  columns_ = static_cast<std::int64_t>(width / cell_m_) + 1;
+  rows_ = static_cast<std::int64_t>(height / cell_m_) + 1;
+  // A village in a country of fields: cells no more than a few times the walls.
+  while (columns_ * rows_ > 4096 + 8 * static_cast<std::int64_t>(walls_.size())) {
+    cell_m_ *= 2;
+    columns_ = static_cast<std::int64_t>(width / cell_m_) + 1;
+    rows_ = static_cast<std::int64_t>(height / cell_m_) + 1;
+  }
+  cell_begin_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+  for (const auto& w : walls_) visit_cells(w.a, w.b, [&](std::size_t cell) { return ++cell_begin_[cell + 1], false; });
+  for (std::size_t c = 0; c + 1 < cell_begin_.size(); ++c) cell_begin_[c + 1] += cell_begin_[c];
+  cell_walls_.resize(cell_begin_.back());
+  std::vector<std::uint32_t> at(cell_begin_.begin(), cell_begin_.end() - 1);
+  for (std::uint32_t w = 0; w < walls_.size(); ++w)
+    visit_cells(walls_[w].a, walls_[w].b, [&](std::size_t cell) { return cell_walls_[at[cell]++] = w, false; });
+}
+
+std::size_t HouseWalls::cell_at(std::int64_t column, std::int64_t row) const {
+  return static_cast<std::size_t>(row * columns_ + column);
+}
+
+/// The cells within 1 mm of the segment, row by row from p to q; ends when visit says true.
+template <class Visit>
+void HouseWalls::visit_cells(Spot p, Spot q, Visit visit) const {
+  const auto row_of = [&](double y) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((y - bottom_) / cell_m_)), std::int64_t{0}, rows_ - 1);
+  };
+  const auto column_of = [&](double x) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((x - left_) / cell_m_)), std::int64_t{0}, columns_ - 1);
+  };
+  const double low_y = std::min(p.y, q.y), high_y = std::max(p.y, q.y);
+  const double slope = p.y != q.y ? (q.x - p.x) / (q.y - p.y) : 0;
+  const std::int64_t first_row = row_of(low_y - kDoubt_m), last_row = row_of(high_y + kDoubt_m);
+  for (std::int64_t i = 0; i <= last_row - first_row; ++i) {
+    const std::int64_t row = p.y <= q.y ? first_row + i : last_row - i;
+    const double low = bottom_ + static_cast<double>(row) * cell_m_ - kDoubt_m, high = low + cell_m_ + 2 * kDoubt_m;
+    double from = p.x, to = q.x;
+    if (p.y != q.y) {
+      from = p.x + (std::clamp(low, low_y, high_y) - p.y) * slope;
+      to = p.x + (std::clamp(high, low_y, high_y) - p.y) * slope;
+    }
+    const std::int64_t first = column_of(std::min(from, to) - 2 * kDoubt_m);
+    const std::int64_t last = column_of(std::max(from, to) + 2 * kDoubt_m);
+    for (std::int64_t k = 0; k <= last - first; ++k)
+      if (visit(cell_at(p.x <= q.x ? first + k : last - k, row))) return;
+  }
+}
+
+bool HouseWalls::is_clear(Spot p, double p_up_m, Spot q, double q_up_m) const {
+  bool is_clear = true;
+  visit_cells(p, q, [&](std::size_t cell) {
+    for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
+      const HouseWall& w = walls_[cell_walls_[i]];
+      const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
+      if ((side_a > 0) == (side_b > 0)) continue;
+      const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
+      const double at = side_p / (side_p - side_q);
+      if (!(at >= 0 && at <= 1) || p_up_m + (q_up_m - p_up_m) * at > houses_[w.house].most_top_m + kAbove_m) continue;
+      is_clear = false;
+      return true;
+    }
+    return false;
+  });
+  return is_clear;
+}
+
+void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
+  out.clear();
+  struct Hit {
+    double at;
+    std::uint32_t house;
+    bool is_in;
+    bool operator<(const Hit& other) const {
+      return std::tie(house, at, is_in) < std::tie(other.house, other.at, other.is_in);
+    }
+  };
+  thread_local std::vector<Hit> hits;
+  hits.clear();
+  visit_cells(p, q, [&](std::size_t cell) {
+    for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
+      const HouseWall& w = walls_[cell_walls_[i]];
+      // Points on the line count as right of it, so that a line through a corner cuts one of the two walls there.
+      const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
+      if ((side_a > 0) == (side_b > 0)) continue;
+      const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
+      const double at = side_p / (side_p - side_q);
+      if (!(at >= 0 && at <= 1)) continue;
+      hits.push_back({at, w.house, side_p < side_q});
+    }
+    return false;
+  });
+  std::sort(hits.begin(), hits.end());
+  hits.erase(
+      std::unique(hits.begin(), hits.end(),
+                  [](const Hit& a, const Hit& b) { return a.house == b.house && a.at == b.at && a.is_in == b.is_in; }),
+      hits.end());  // a wall in several cells
+  for (std::size_t i = 0; i < hits.size();) {
+    const std::uint32_t house = hits[i].house;
+    double from = 0;
+    bool is_in = !hits[i].is_in;  // the line begins inside
+    for (; i < hits.size() && hits[i].house == house; ++i) {
+      if (hits[i].is_in && !is_in) from = hits[i].at;
+      if (!hits[i].is_in && is_in) out.push_back({from, hits[i].at, house});
+      is_in = hits[i].is_in;
+    }
+    if (is_in) out.push_back({from, 1, house});
+  }
+  std::sort(out.begin(), out.end(), [](const Crossing& a, const Crossing& b) { return a.from < b.from; });
+}
+
+bool HouseWalls::contains(std::uint32_t house, Spot x) const {
+  bool is_inside = false;
+  for (std::uint32_t i = houses_[house].first_wall; i < houses_[house].last_wall; ++i) {
+    const HouseWall& w = walls_[i];
+    if ((w.a.y > x.y) != (w.b.y > x.y) && (cross(w.a, w.b, x) > 0) == (w.b.y > w.a.y)) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+bool HouseWalls::is_roofed(Spot x, double radius, std::uint32_t house, double up_m) const {
+  if (!houses_[house].stands() || houses_[house].sure_top_m < up_m) return false;
+  const double reach = radius + kDoubt_m, reach2 = reach * reach;
+  const auto low_column = static_cast<std::int64_t>(std::floor((x.x - reach - left_) / cell_m_));
+  const auto high_column = static_cast<std::int64_t>(std::floor((x.x + reach - left_) / cell_m_));
+  const auto low_row = static_cast<std::int64_t>(std::floor((x.y - reach - bottom_) / cell_m_));
+  const auto high_row = static_cast<std::int64_t>(std::floor((x.y + reach - bottom_) / cell_m_));
+  if (low_column < 0 || low_row < 0 || high_column >= columns_ || high_row >= rows_) return false;
+  for (std::int64_t row = low_row; row <= high_row; ++row)
+    for (std::int64_t column = low_column; column <= high_column; ++column) {
+      const std::size_t cell = cell_at(column, row);
+      for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
+        const HouseWall& w = walls_[cell_walls_[i]];
+        const HouseBody& own = houses_[w.house];
+        const bool is_high = w.beyond_m >= up_m && own.stands() && own.sure_top_m >= up_m;
+        if (!is_high && own.stands() && distance2_to(w, x) < reach2) return false;
+      }
+    }
+  return contains(house, x);
+}
+
+}  // namespace vicus

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "city_db/city.hpp"
+
+/// The houses as sight over roofs needs them: walls in a grid, lines cut by them, discs of roof.
+namespace vicus {
+
+inline constexpr double kEyeTop_m = 2.0;  ///< eyes are 1.2 to 2.0 m above ground
+
+/// Plan frame, metres, doubles: for lengths and slopes, where lattice points do not suffice.
+struct Spot {
+  double x = 0, y = 0;
+};
+inline Spot spot_of(PlanPoint p) { return {metres(p.x), metres(p.y)}; }
+
+/// One edge of a footprint, house on the left.
+struct HouseWall {
+  Spot a, b;
+  std::uint32_t house = 0;
+  float beyond_m = 0;  ///< sure height of the house on the other side; 0: none
+};
+
+/// A house that stands on the ground fills at least its footprint up to sure_top_m and never reaches above most_top_m.
+struct HouseBody {
+  double base_m = 0, sure_top_m = 0, most_top_m = 0;
+  std::uint32_t first_wall = 0, last_wall = 0;
+  bool stands() const { return base_m <= 0; }
+};
+
+/// A line's way through a house, as shares of its length.
+struct Crossing {
+  double from = 0, to = 0;
+  std::uint32_t house = 0;
+};
+
+class HouseWalls {
+ public:
+  explicit HouseWalls(const City& city);
+
+  const std::vector<HouseBody>& houses() const { return houses_; }
+  const std::vector<HouseWall>& walls() const { return walls_; }
+
+  /// Where the line p -> q runs through houses, by `from`. Error  rounding of doubles: ends within 1 um.
+  void cut(Spot p, Spot q, std::vector<Crossing>& out) const;
+
+  /// The line from p at height p_up_m to q, rising, meets no house. Cheap where something near p stops it.
+  /// Never true when a house is in the way: what hangs over ground counts from the ground up, and 2 cm are added on
+  /// top.
+  bool is_clear(Spot p, double p_up_m, Spot q, double q_up_m) const;
+
+  /// Every point within `radius` of x lies in houses that stand and surely reach up to `up_m`, x in `house`.
+  /// Never true when it is not: 1 mm of doubt counts against it.
+  bool is_roofed(Spot x, double radius, std::uint32_t house, double up_m) const;
+
+ private:
+  bool contains(std::uint32_t house, Spot x) const;
+  template <class Visit>
+  void visit_cells(Spot p, Spot q, Visit visit) const;
+  std::size_t cell_at(std::int64_t column, std::int64_t row) const;
+
+  std::vector<HouseBody> houses_;
+  std::vector<HouseWall> walls_;
+  double cell_m_ = 12, left_ = 0, bottom_ = 0;
+  std::int64_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> cell_begin_, cell_walls_;
+};
+
+}  // namespace vicus

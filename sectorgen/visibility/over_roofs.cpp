@@ -1,0 +1,272 @@
+#include "sectorgen/visibility/over_roofs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "city_db/run_parallel.hpp"
+#include "sectorgen/visibility/horizon.hpp"
+#include "sectorgen/visibility/roof_targets.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kWitnessRadius_m = 4;  // eyes told apart this far are worth a ray
+constexpr double kInset_m = 0.02;       // rays start and end this far off walls
+constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
+
+/// A node of a tree, or a part of a leaf's segment.
+struct Region {
+  Spot centre;
+  double radius = 0;
+  Spot a, b;                      // of a segment
+  std::uint32_t node = kNowhere;  // an inner node; else a segment
+  std::uint32_t segment = kNowhere, house = kNowhere;
+  double top_m = 0;
+  bool is_segment() const { return node == kNowhere; }
+};
+
+Region region_of(const SegmentTree& tree, std::uint32_t node) {
+  const SegmentNode& n = tree.nodes[node];
+  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.top_m};
+  if (n.segment != kNowhere) {
+    region.node = kNowhere;
+    region.a = tree.segments[n.segment].a;
+    region.b = tree.segments[n.segment].b;
+  }
+  return region;
+}
+
+std::pair<Region, Region> halves(const SegmentTree& tree, const Region& region) {
+  if (!region.is_segment()) {
+    const SegmentNode& n = tree.nodes[region.node];
+    return {region_of(tree, n.left), region_of(tree, n.right)};
+  }
+  Region first = region, second = region;
+  first.b = second.a = region.centre;
+  for (Region* half : {&first, &second}) {
+    half->centre = {(half->a.x + half->b.x) / 2, (half->a.y + half->b.y) / 2};
+    half->radius = region.radius / 2;
+  }
+  return {first, second};
+}
+
+/// The middle of a segment, moved to its left (metres; negative: to its right).
+Spot beside(const Region& segment, double left_m) {
+  const double dx = segment.b.x - segment.a.x, dy = segment.b.y - segment.a.y, length = std::hypot(dx, dy);
+  return {segment.centre.x - dy / length * left_m, segment.centre.y + dx / length * left_m};
+}
+
+enum class State : char { unknown, open, known };  // known: proven visible, or in sight on the level
+
+class Scene {
+ public:
+  Scene(const City& city, const RoofOptions& options)
+      : walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
+  HouseWalls walls;
+  RoofField field;
+  RoofTargets targets;
+};
+
+/// All of one thread's work on one sector after the other.
+class Explorer {
+ public:
+  Explorer(const Scene& scene, const RoofOptions& options)
+      : scene_(scene), options_(options), state_(scene.targets.showings.size()) {}
+
+  std::vector<RoofSight> run(const City& city, std::uint32_t sector, const std::vector<std::uint32_t>& in_sight) {
+    const auto& showings = scene_.targets.showings;
+    for (std::uint32_t i = 0; i < showings.size(); ++i)
+      state_[i] =
+          std::binary_search(in_sight.begin(), in_sight.end(), showings[i].sector) ? State::known : State::unknown;
+    found_.clear();
+    rim_ = rim_of(city.sectors[sector]);
+    if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
+    std::vector<RoofSight> out;
+    for (const std::uint32_t i : found_)
+      out.push_back({showings[i].sector, showings[i].house, state_[i] == State::known});
+    std::sort(out.begin(), out.end(), [](const RoofSight& a, const RoofSight& b) {
+      return std::pair(a.sector, a.house) < std::pair(b.sector, b.house);
+    });
+    return out;
+  }
+
+  std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
+
+ private:
+  State state_of(std::uint32_t showing) const { return showing == kNowhere ? State::known : state_[showing]; }
+
+  /// The least that is known of what the target shows.
+  State state_of(const Region& target) const {
+    if (target.is_segment())
+      return std::min(state_of(scene_.targets.owner[target.segment]), state_of(scene_.targets.facade[target.segment]));
+    if (target.house == kNowhere) return State::unknown;
+    State least = State::known;
+    for (auto i = scene_.targets.first_of[target.house]; i < scene_.targets.first_of[target.house + 1]; ++i)
+      least = std::min(least, state_[i]);
+    return least;
+  }
+
+  void set_state(const Region& target, State state) {
+    for (const std::uint32_t i : {scene_.targets.owner[target.segment], scene_.targets.facade[target.segment]}) {
+      if (i == kNowhere || state_[i] >= state) continue;
+      if (state_[i] == State::unknown) found_.push_back(i);
+      state_[i] = state;
+    }
+  }
+
+  /// No eye of the region is on the outer side of the wall.
+  static bool is_behind(const Region& eyes, const Region& wall) {
+    const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = std::hypot(dx, dy);
+    const auto left_of = [&](Spot p) { return (dx * (p.y - wall.a.y) - dy * (p.x - wall.a.x)) / length; };
+    constexpr double kSlack_m = 1e-5;
+    if (eyes.is_segment()) return left_of(eyes.a) > kSlack_m && left_of(eyes.b) > kSlack_m;
+    return left_of(eyes.centre) > eyes.radius + kSlack_m;
+  }
+
+  /// Parts of the rim as large as the first horizon allows.
+  void stand_on(const Region& eyes) {
+    if (eyes.radius > options_.first_radius_m) {
+      const auto [first, second] = halves(rim_, eyes);
+      stand_on(first);
+      stand_on(second);
+      return;
+    }
+    std::vector<std::uint32_t> seen;
+    Horizon& horizon = start_horizon(0, eyes);
+    search(horizon, eyes, scene_.targets.tree.root, seen);
+    look_closer(eyes, seen, 1);
+  }
+
+  Horizon& start_horizon(std::size_t depth, const Region& eyes) {
+    while (horizons_.size() <= depth) horizons_.push_back(std::make_unique<Horizon>(scene_.field));
+    horizons_[depth]->start(eyes.centre, eyes.radius, eyes.radius > 1.5 ? kFewBins : kManyBins);
+    ++horizons;
+    return *horizons_[depth];
+  }
+
+  /// Walls that the horizon does not hide.
+  void search(Horizon& horizon, const Region& eyes, std::uint32_t node, std::vector<std::uint32_t>& seen) {
+    const SegmentNode& n = scene_.targets.tree.nodes[node];
+    if (n.segment != kNowhere) {
+      if (is_left(horizon, eyes, node)) seen.push_back(node);
+      return;
+    }
+    if (n.house != kNowhere && state_of(region_of(scene_.targets.tree, node)) == State::known) return;
+    ++tests;
+    if (horizon.hides_disc(n.centre, n.radius, n.top_m)) return;
+    search(horizon, eyes, n.left, seen);
+    search(horizon, eyes, n.right, seen);
+  }
+
+  /// The wall is still to be asked about: nothing hides it, and no ray proved it seen.
+  bool is_left(Horizon& horizon, const Region& eyes, std::uint32_t node) {
+    const Region wall = region_of(scene_.targets.tree, node);
+    if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
+    ++tests;
+    if (horizon.hides_segment(wall.a, wall.b, wall.top_m)) return false;
+    if (eyes.is_segment() && eyes.radius <= kWitnessRadius_m) {
+      if (is_seen(eyes, wall)) return set_state(wall, State::known), false;
+      if (state_of(wall) == State::open) return false;
+    }
+    return true;
+  }
+
+  /// The walls that are left, from halves of the rim's part.
+  void look_closer(const Region& eyes, const std::vector<std::uint32_t>& walls, std::size_t depth) {
+    if (walls.empty()) return;
+    if (eyes.is_segment() && eyes.radius <= options_.pair_radius_m) {
+      for (const std::uint32_t node : walls) explore(eyes, region_of(scene_.targets.tree, node));
+      return;
+    }
+    const auto [first, second] = halves(rim_, eyes);
+    for (const Region* half : {&first, &second}) {
+      Horizon& horizon = start_horizon(depth, *half);
+      std::vector<std::uint32_t> seen;
+      for (const std::uint32_t node : walls)
+        if (is_left(horizon, *half, node)) seen.push_back(node);
+      look_closer(*half, seen, depth + 1);
+    }
+  }
+
+  /// A part of the rim and a part of a wall, by the walls between them.
+  void explore(const Region& eyes, const Region& target) {
+    const State state = state_of(target);
+    if (state == State::known || is_behind(eyes, target)) return;
+    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    if (length > eyes.radius + target.radius && is_blocked(eyes, target, length)) return;
+    if (is_seen(eyes, target)) return set_state(target, State::known);
+    if (state == State::open) return;
+    const bool eyes_are_small = eyes.radius <= options_.least_radius_m;
+    const bool target_is_small = target.radius <= options_.least_radius_m;
+    if (eyes_are_small && target_is_small) return set_state(target, State::open);
+    if (!target_is_small && (eyes_are_small || target.radius > eyes.radius)) {
+      const auto [first, second] = halves(scene_.targets.tree, target);
+      explore(eyes, first);
+      explore(eyes, second);
+    } else {
+      const auto [first, second] = halves(rim_, eyes);
+      explore(first, target);
+      explore(second, target);
+    }
+  }
+
+  /// One place on the middle line where the whole disc of displaced lines is under roofs that reach it.
+  bool is_blocked(const Region& eyes, const Region& target, double length) {
+    ++fine_tests;
+    scene_.walls.cut(eyes.centre, target.centre, crossings_);
+    const double rise = target.top_m - kEyeTop_m;
+    for (const Crossing& crossing : crossings_) {
+      const HouseBody& body = scene_.walls.houses()[crossing.house];
+      if (!body.stands() || body.sure_top_m < kEyeTop_m + rise * crossing.from) continue;
+      double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
+      for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
+        const double up = kEyeTop_m + rise * t;
+        if (body.sure_top_m < up) break;
+        const Spot x{eyes.centre.x + t * (target.centre.x - eyes.centre.x),
+                     eyes.centre.y + t * (target.centre.y - eyes.centre.y)};
+        if (scene_.walls.is_roofed(x, (1 - t) * eyes.radius + t * target.radius, crossing.house, up)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// A line from the middle of the eyes to the middle of the wall's top meets no house.
+  bool is_seen(const Region& eyes, const Region& target) {
+    ++rays;
+    return scene_.walls.is_clear(beside(eyes, kInset_m), kEyeTop_m, beside(target, -kInset_m),
+                                 scene_.walls.houses()[target.house].sure_top_m - kInset_m);
+  }
+
+  const Scene& scene_;
+  const RoofOptions& options_;
+  std::vector<std::unique_ptr<Horizon>> horizons_;  // by depth
+  SegmentTree rim_;
+  std::vector<State> state_;
+  std::vector<std::uint32_t> found_;
+  std::vector<Crossing> crossings_;
+};
+
+}  // namespace
+
+RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std::uint32_t>>& in_sight,
+                            const RoofOptions& options) {
+  RoofLists lists;
+  lists.visible.resize(city.sectors.size());
+  const Scene scene(city, options);
+  const unsigned threads = thread_count(options.threads);
+  std::vector<Explorer> explorers;
+  for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
+  run_parallel(city.sectors.size(), threads, [&](std::size_t sector, unsigned thread) {
+    lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), in_sight[sector]);
+  });
+  for (const auto& explorer : explorers) {
+    lists.horizons += explorer.horizons;
+    lists.tests += explorer.tests;
+    lists.fine_tests += explorer.fine_tests;
+    lists.rays += explorer.rays;
+  }
+  return lists;
+}
+
+}  // namespace vicus

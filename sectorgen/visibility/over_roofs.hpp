@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "city_db/city.hpp"
+
+/// L_vis over roofs: houses seen above lower ones from sectors that no level look joins.
+namespace vicus {
+
+struct RoofOptions {
+  unsigned threads = 0;           ///< 0: all cores
+  double first_radius_m = 2.5;    ///< of the first horizons
+  double pair_radius_m = 1;       ///< below it eyes and walls are taken pair by pair
+  double least_radius_m = 0.125;  ///< and told apart down to pieces of twice this length
+  std::size_t grid_cells = 48'000'000;
+};
+
+/// A house of the city, seen from a sector: what `sector` sends of it is needed there.
+struct RoofSight {
+  std::uint32_t sector = 0, house = 0;
+  bool is_proven = false;  ///< a line of sight was found; else nothing was found that hides it
+};
+
+struct RoofLists {
+  std::vector<std::vector<RoofSight>>
+      visible;  ///< per sector, by sector then house; none of those in sight on the level
+  std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
+};
+
+/// For each sector the houses that some eye in it, at most kEyeTop_m above ground, may see over other houses, by the
+/// sector that sends them (the owner of the roof, the owner of the facade). Conservative: a house left out is hidden.
+///
+/// Frame   plan, metres; flat ground, houses are prisms.
+/// Needs   `in_sight` per sector: those of lines_of_sight, which are left out here.
+/// Error   a superset; what is neither proven visible nor proven hidden at least_radius_m stays in.
+/// Source  Wonka, Wimmer, Schmalstieg, EGRW 2000, §3 (shrunk occluders); research/VISIBILITY.md §4.3 (erosion lemma).
+/// Differs pairs of regions in place of one horizon per point: when the middle line from a disc of eyes (radius r) to a
+///         disc of targets (radius s) passes, at share t of its length and height z, a place where all houses within
+///         (1-t) r + t s reach z, then every line from the one disc to the other, no higher at both ends, is blocked
+///         there: it is displaced by (1-t) v + t w, |v| <= r, |w| <= s. Regions are split until told apart. Eyes on the
+///         sector's rim suffice: stepping back within the sector only lifts the line.
+RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std::uint32_t>>& in_sight,
+                            const RoofOptions& options);
+
+}  // namespace vicus

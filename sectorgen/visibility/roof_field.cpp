@@ -1,0 +1,157 @@
+#include "sectorgen/visibility/roof_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vicus {
+namespace {
+
+constexpr double kDoubt_m = 0.001;
+/// Times the finest cell; a cell of each grid is at most a quarter of its radius.
+constexpr double kRadii[] = {1.1, 1.6, 2.2, 3.2, 4.4, 6.2, 8.8, 12.5, 17.5, 25};
+
+using Heights = std::vector<std::uint8_t>;
+
+std::uint8_t step_below(double height_m) {
+  return static_cast<std::uint8_t>(std::clamp(std::floor(height_m / kHeightStep_m), 0.0, 255.0));
+}
+
+/// The least of each value and of all cells within `radius` cells of any point of it; beyond the rim is ground.
+Heights worn(const Heights& from, std::int64_t columns, std::int64_t rows, double radius) {
+  const auto reach = static_cast<std::int64_t>(std::floor(radius)) + 1;
+  // Per row above or below: how many cells to each side a disc touches that may lie anywhere in the middle cell.
+  std::vector<std::int64_t> half_width;
+  for (std::int64_t d = 0; d <= reach; ++d) {
+    const double gap = d > 0 ? static_cast<double>(d - 1) : 0;
+    if (gap > radius) break;
+    half_width.push_back(static_cast<std::int64_t>(std::floor(std::sqrt(radius * radius - gap * gap))) + 1);
+  }
+  const auto lines = static_cast<std::int64_t>(half_width.size());
+  const auto line_at = [&](auto& heights, std::int64_t row) { return heights.data() + row * columns; };
+  Heights out(from.size(), 255), window(static_cast<std::size_t>(columns));
+  for (std::int64_t row = 0; row < rows; ++row)
+    for (std::int64_t d = 0, width = -1; d < lines; ++d) {
+      // From the narrowest to the widest: each window goes on from the one before.
+      const std::int64_t line = lines - 1 - d;
+      const std::uint8_t* source = line_at(from, row);
+      if (width < 0) {
+        std::copy(source, source + columns, window.begin());
+        width = 0;
+      }
+      for (++width; width <= half_width[static_cast<std::size_t>(line)]; ++width) {
+        const std::int64_t w = width;
+        for (std::int64_t c = 0; c < columns - w; ++c)
+          window[static_cast<std::size_t>(c)] = std::min(window[static_cast<std::size_t>(c)], source[c + w]);
+        for (std::int64_t c = w; c < columns; ++c)
+          window[static_cast<std::size_t>(c)] = std::min(window[static_cast<std::size_t>(c)], source[c - w]);
+        std::fill(window.begin(), window.begin() + std::min(w, columns), std::uint8_t{0});
+        std::fill(window.end() - std::min(w, columns), window.end(), std::uint8_t{0});
+      }
+      --width;
+      for (const std::int64_t target_row : {row - line, row + line}) {
+        if (target_row < 0 || target_row >= rows) continue;
+        std::uint8_t* target = line_at(out, target_row);
+        for (std::int64_t c = 0; c < columns; ++c) target[c] = std::min(target[c], window[static_cast<std::size_t>(c)]);
+      }
+    }
+  for (std::int64_t row = 0; row < rows; ++row)
+    if (row < reach || row + reach >= rows) std::fill(line_at(out, row), line_at(out, row) + columns, std::uint8_t{0});
+  return out;
+}
+
+/// Four cells to one, the least of them.
+WornGrid halved(const WornGrid& fine) {
+  WornGrid out{2 * fine.cell_m, fine.radius_m, (fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
+  out.height.assign(static_cast<std::size_t>(out.columns * out.rows), 255);
+  for (std::int64_t row = 0; row < fine.rows; ++row)
+    for (std::int64_t column = 0; column < fine.columns; ++column) {
+      std::uint8_t& target = out.height[static_cast<std::size_t>(row / 2 * out.columns + column / 2)];
+      target = std::min(target, fine.height[static_cast<std::size_t>(row * fine.columns + column)]);
+    }
+  return out;
+}
+
+}  // namespace
+
+RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
+  bool is_first = true;
+  for (const auto& w : houses.walls()) {
+    if (is_first) left_ = right_ = w.a.x, bottom_ = top_ = w.a.y, is_first = false;
+    left_ = std::min(left_, w.a.x);
+    right_ = std::max(right_, w.a.x);
+    bottom_ = std::min(bottom_, w.a.y);
+    top_ = std::max(top_, w.a.y);
+  }
+  double cell = 0.5;
+  while ((right_ - left_) / cell * ((top_ - bottom_) / cell) > static_cast<double>(most_cells)) cell *= 2;
+  const auto columns = static_cast<std::int64_t>((right_ - left_) / cell) + 1;
+  const auto rows = static_cast<std::int64_t>((top_ - bottom_) / cell) + 1;
+  const Heights heights = draw(houses, cell, columns, rows);
+  for (const double radius : kRadii) {
+    WornGrid grid{cell, radius * cell, columns, rows, worn(heights, columns, rows, radius)};
+    while (grid.cell_m * 8 <= grid.radius_m) grid = halved(grid);
+    grids_.push_back(std::move(grid));
+  }
+}
+
+/// Each cell's sure height: of the house that fills it, or the lowest side of the walls that touch it.
+Heights RoofField::draw(const HouseWalls& houses, double cell_m, std::int64_t columns, std::int64_t rows) const {
+  Heights heights(static_cast<std::size_t>(columns * rows), 0);
+  std::vector<std::uint8_t> wall_limit(heights.size(), 255);
+  std::vector<double> cuts;
+  const auto row_at = [&](double y) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((y - bottom_) / cell_m)), std::int64_t{0}, rows - 1);
+  };
+  const auto column_at = [&](double x) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((x - left_) / cell_m)), std::int64_t{0}, columns - 1);
+  };
+  for (const auto& house : houses.houses()) {
+    if (!house.stands() || house.first_wall == house.last_wall) continue;
+    const std::uint8_t value = step_below(house.sure_top_m);
+    double low = houses.walls()[house.first_wall].a.y, high = low;
+    for (std::uint32_t i = house.first_wall; i < house.last_wall; ++i) {
+      const HouseWall& w = houses.walls()[i];
+      low = std::min(low, w.a.y);
+      high = std::max(high, w.a.y);
+      // Every cell within 1 mm of the wall.
+      const std::uint8_t limit = std::min(value, step_below(w.beyond_m));
+      const Spot p = w.a.y < w.b.y ? w.a : w.b, q = w.a.y < w.b.y ? w.b : w.a;
+      const double slope = q.y > p.y ? (q.x - p.x) / (q.y - p.y) : 0;
+      for (std::int64_t row = row_at(p.y - kDoubt_m); row <= row_at(q.y + kDoubt_m); ++row) {
+        const double from_y = bottom_ + static_cast<double>(row) * cell_m - kDoubt_m,
+                     to_y = from_y + cell_m + 2 * kDoubt_m;
+        double from = p.x, to = q.x;
+        if (q.y > p.y) {
+          from = p.x + (std::clamp(from_y, p.y, q.y) - p.y) * slope;
+          to = p.x + (std::clamp(to_y, p.y, q.y) - p.y) * slope;
+        }
+        const std::int64_t last = column_at(std::max(from, to) + 2 * kDoubt_m);
+        for (std::int64_t column = column_at(std::min(from, to) - 2 * kDoubt_m); column <= last; ++column) {
+          std::uint8_t& cell = wall_limit[static_cast<std::size_t>(row * columns + column)];
+          cell = std::min(cell, limit);
+        }
+      }
+    }
+    for (std::int64_t row = row_at(low); row <= row_at(high); ++row) {
+      const double y = bottom_ + (static_cast<double>(row) + 0.5) * cell_m;
+      cuts.clear();
+      for (std::uint32_t i = house.first_wall; i < house.last_wall; ++i) {
+        const HouseWall& w = houses.walls()[i];
+        if ((w.a.y > y) != (w.b.y > y)) cuts.push_back(w.a.x + (y - w.a.y) / (w.b.y - w.a.y) * (w.b.x - w.a.x));
+      }
+      std::sort(cuts.begin(), cuts.end());
+      for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
+        const auto first = static_cast<std::int64_t>(std::ceil((cuts[i] - left_) / cell_m - 0.5));
+        const auto last = static_cast<std::int64_t>(std::floor((cuts[i + 1] - left_) / cell_m - 0.5));
+        for (std::int64_t column = std::max(first, std::int64_t{0}); column <= std::min(last, columns - 1); ++column) {
+          std::uint8_t& cell = heights[static_cast<std::size_t>(row * columns + column)];
+          cell = std::max(cell, value);
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = std::min(heights[i], wall_limit[i]);
+  return heights;
+}
+
+}  // namespace vicus

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sectorgen/visibility/house_walls.hpp"
+
+/// Sure heights on a grid, worn away from the edges: what a disc of some radius finds above itself wherever it lies.
+namespace vicus {
+
+inline constexpr double kHeightStep_m = 0.5;
+
+/// One grid of the field. A value holds for every point of the cell and everything within `radius_m` of it.
+struct WornGrid {
+  double cell_m = 0, radius_m = 0;
+  std::int64_t columns = 0, rows = 0;
+  std::vector<std::uint8_t> height;  ///< in steps of kHeightStep_m, rounded down
+};
+
+/// Error   heights are lower bounds: rounded down to 0.5 m, at most 127.5 m; cells that a wall touches count as the
+///         lower of its two sides. A disc of radius r is answered by a grid with radius >= r.
+/// Cost    memory: about 8 bytes per cell of the finest grid, at most `most_cells` of them.
+class RoofField {
+ public:
+  RoofField(const HouseWalls& houses, std::size_t most_cells);
+
+  /// The grid that answers for a radius; nullptr: none is so coarse.
+  const WornGrid* grid_for(double radius) const {
+    for (const auto& grid : grids_)
+      if (grid.radius_m >= radius) return &grid;
+    return nullptr;
+  }
+  /// The most one can be sure of: every point within the grid's radius of x is roofed up to this. 0: nothing sure.
+  double sure_height(const WornGrid& grid, Spot x) const {
+    const double column = (x.x - left_) / grid.cell_m, row = (x.y - bottom_) / grid.cell_m;
+    if (!(column >= 0 && row >= 0 && column < static_cast<double>(grid.columns) &&
+          row < static_cast<double>(grid.rows)))
+      return 0;
+    return kHeightStep_m * grid.height[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                                       static_cast<std::size_t>(column)];
+  }
+  /// A line at x with that direction meets no grid any more.
+  bool is_left_for_good(Spot x, Spot direction) const {
+    return (x.x < left_ && direction.x <= 0) || (x.x > right_ && direction.x >= 0) ||
+           (x.y < bottom_ && direction.y <= 0) || (x.y > top_ && direction.y >= 0);
+  }
+
+ private:
+  std::vector<std::uint8_t> draw(const HouseWalls& houses, double cell_m, std::int64_t columns,
+                                 std::int64_t rows) const;
+  double left_ = 0, bottom_ = 0, right_ = 0, top_ = 0;
+  std::vector<WornGrid> grids_;  // by radius
+};
+
+}  // namespace vicus
