@@ -55,4 +55,10 @@ class CityError : public std::runtime_error {
   int exit_code;
 };
 
+/// The city file was made by a vicus of another format version. A new build may replace it, but learns nothing from it.
+class OtherVersionError : public CityError {
+ public:
+  using CityError::CityError;
+};
+
 }  // namespace vicus

@@ -17,7 +17,7 @@ void write_city(const std::filesystem::path& path, const City& city,
                 const std::function<std::optional<Artefact>()>& next_artefact);
 
 /// Reads every record (not the artefacts).
-/// Fails   CityError: no such file, not a Vicus city, other format version, damaged record.
+/// Fails   CityError: no such file, not a Vicus city, damaged record; OtherVersionError: other format version.
 City read_city(const std::filesystem::path& path);
 
 /// Number and bytes of the artefacts of one media type and coding.

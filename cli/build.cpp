@@ -65,12 +65,16 @@ LoadOptions load_options(const Arguments& arguments) {
 }
 
 /// The city built before under this name, for its sector ids. A file that is no city is refused before any work is
-/// done.
-std::optional<City> previous_city(const Arguments& arguments) {
+/// done; one of another format version is replaced, and its ids are lost.
+std::optional<City> previous_city(const Arguments& arguments, const Context& context) {
   if (!std::filesystem::exists(arguments.output)) return std::nullopt;
-  City city = read_city(arguments.output);
-  if (arguments.fresh_ids) return std::nullopt;
-  return city;
+  try {
+    City city = read_city(arguments.output);
+    if (!arguments.fresh_ids) return city;
+  } catch (const OtherVersionError& error) {
+    if (!context.quiet) std::fprintf(stderr, "%s\nit is replaced; its sector ids are not kept\n", error.what());
+  }
+  return std::nullopt;
 }
 
 void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
@@ -126,7 +130,7 @@ std::string report_text(const City& city, const BuildReport& report, const std::
 }
 
 void run(const Arguments& arguments, Context& context) {
-  const std::optional<City> previous = previous_city(arguments);
+  const std::optional<City> previous = previous_city(arguments, context);
   const Progress progress(context);
   BuildReport report;
   StageClock clock(report, [&](const char* stage) { progress(stage); });

@@ -37,7 +37,8 @@ std::vector<Listing> listings_of(const City& city) {
           {"streets", city.streets.size(), count_by(city.streets, plain_kind)},
           {"objects", city.objects.size(), count_by(city.objects, plain_kind)},
           {"viewpoints", city.viewpoints.size(), count_by(city.viewpoints, plain_kind)},
-          {"visible", city.visible.size(), count_by(city.visible, [](const Visible& v) { return v.reason; })},
+          {"visible", city.visible.size(),
+           count_by(city.visible, [](const Visible& v) { return std::string(name_of(v.reason)); })},
           {"issues", city.issues.size(),
            count_by(city.issues, [](const Issue& i) { return std::string(name_of(i.code)); })}};
 }
