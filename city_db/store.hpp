@@ -46,6 +46,9 @@ class CityReader {
   std::optional<Gate> gate(const std::string& id) const;
   std::optional<Building> building(const std::string& id) const;
   std::vector<Gate> gates_of(const std::string& sector_id) const;
+  std::vector<Border> borders_of(const std::string& sector_id) const;
+  std::vector<Building> buildings_of(const std::string& sector_id) const;  ///< whose roofs it sends
+  std::vector<StandaloneObject> objects_of(const std::string& sector_id) const;
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.

@@ -79,6 +79,9 @@ Json visibility_json(const City& city) {
     json[name_of(v.reason)] = json[name_of(v.reason)].get<int>() + 1;
     if (!v.is_proven) json["unresolved"] = json["unresolved"].get<int>() + 1;
   }
+  int important = 0;
+  for (const auto& s : city.sectors) important += s.importance != Importance::none;
+  json["important_sectors"] = important;
   json["per_sector_mean"] =
       city.sectors.empty() ? 0.0 : static_cast<double>(city.visible.size()) / static_cast<double>(city.sectors.size());
   return json;
