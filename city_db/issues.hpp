@@ -14,6 +14,8 @@ enum class IssueCode {
   unreadable_feature = 101,
   outside_limits = 102,  ///< farther than the lattice reaches from the origin
   unknown_attribute_value = 103,
+  unknown_place = 104,  ///< an important sector's id, name or place that the city does not have
+  terrain_hole = 105,   ///< no height here: taken from the nodes around
   // 2xx footprints
   ring_open = 201,
   ring_self_intersection = 202,

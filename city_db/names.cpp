@@ -37,6 +37,8 @@ constexpr Names<Importance> kImportances = {
 constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
                                           {IssueCode::outside_limits, "outside_limits"},
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
+                                          {IssueCode::unknown_place, "unknown_place"},
+                                          {IssueCode::terrain_hole, "terrain_hole"},
                                           {IssueCode::ring_open, "ring_open"},
                                           {IssueCode::ring_self_intersection, "ring_self_intersection"},
                                           {IssueCode::ring_too_few_points, "ring_too_few_points"},

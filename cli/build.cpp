@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, boundary, buildings, streets, origin;
+  std::string output, boundary, buildings, streets, origin, important;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -94,6 +94,8 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
+  if (!arguments.important.empty())
+    options["important"] = std::filesystem::path(arguments.important).filename().string();
   city.meta["options"] = options.dump();
 }
 
@@ -142,6 +144,7 @@ void run(const Arguments& arguments, Context& context) {
   BuildOptions options;
   options.budget_bytes = std::uint64_t{arguments.budget_kb} * 1000;
   options.threads = arguments.threads;
+  if (!arguments.important.empty()) options.important = read_author_list(arguments.important, issues);
   options.previous = previous ? &*previous : nullptr;
   options.on_stage = [&](const char* stage) { progress(stage); };
   const std::vector<std::string> licences = map.licences;
@@ -180,6 +183,9 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
   command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
+  command->add_option("--important", arguments->important,
+                      "important sectors, one a line: PLACE[,METRES] or LAT,LON[,METRES]; PLACE is a sector id or the "
+                      "name of a street or square, METRES (default 500) how far around it stays loaded, 0: no more");
   command->add_option("--threads", arguments->threads, "0: all cores");
   command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
       ->check(CLI::Range(10u, 100000u));
