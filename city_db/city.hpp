@@ -26,6 +26,10 @@ using Tags = std::map<std::string, std::string>;
 
 enum class SectorKind { street, crossroads, square, yard, passage, open };
 
+/// Is the sector worth keeping loaded all around it? Proposed: found so by measure, only a mark; author: said so by a
+/// person, and listed in L_vis of the sectors of its vicinity (paper 004 §4.1.7).
+enum class Importance { none, proposed, author };
+
 /// Paper 004 §4.1: ground + border + gates + objects + viewpoints + L_vis. The lists live in City, by sector id.
 struct Sector {
   std::string id;  ///< unique and stable; [A-Za-z0-9_-]+
@@ -36,6 +40,8 @@ struct Sector {
   Triangles ground_triangles;
   PlanPoint origin;         ///< of the sector frame
   std::uint64_t bytes = 0;  ///< as sent (brotli), without textures shared by the city
+  Importance importance = Importance::none;
+  double vicinity_m = 0;  ///< around the sector, where it is important
 };
 
 enum class GateKind { street, yard, kerb, passage, end_of_city };
@@ -116,8 +122,24 @@ struct Viewpoint {
   double heading_deg = 0;  ///< clockwise from north
 };
 
+/// Why a sector stands in the list of another; the first that holds, in this order.
+enum class VisibleReason { self, gate, line_of_sight, over_roofs, important };
+
+/// One row of L_vis: some eye in `sector_id` may see `visible_sector_id`.
 struct Visible {
-  std::string sector_id, visible_sector_id, reason;  ///< self, gate, line_of_sight, over_roofs, important
+  std::string sector_id, visible_sector_id;
+  VisibleReason reason = VisibleReason::self;
+  bool is_proven = true;                  ///< over_roofs: by a witness ray; false: undecided, kept. Others: true
+  std::vector<std::string> building_ids;  ///< over_roofs: houses of the visible sector that may be seen, sorted
+};
+
+/// Heights of the ground at the nodes of a grid, in mm above the plan frame's 0; row by row from the south-west corner
+/// eastwards. No nodes: flat ground at 0.
+struct Terrain {
+  PlanPoint corner;  ///< south-west
+  std::int32_t step_mm = 0;
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<std::int32_t> height_mm;  ///< columns * rows
 };
 
 /// Bytes under a URL path. One row per coding of the same path; `coding` is "identity", "gzip" or "br".
@@ -138,6 +160,7 @@ struct City {
   std::vector<StandaloneObject> objects;
   std::vector<Viewpoint> viewpoints;
   std::vector<Visible> visible;
+  Terrain terrain;
   std::vector<Issue> issues;
 };
 
@@ -147,10 +170,14 @@ const char* name_of(GateKind);
 const char* name_of(BorderKind);
 const char* name_of(ObstacleKind);
 const char* name_of(HeightSource);
+const char* name_of(VisibleReason);
+const char* name_of(Importance);
 bool parse_name(const std::string&, SectorKind&);
 bool parse_name(const std::string&, GateKind&);
 bool parse_name(const std::string&, BorderKind&);
 bool parse_name(const std::string&, ObstacleKind&);
 bool parse_name(const std::string&, HeightSource&);
+bool parse_name(const std::string&, VisibleReason&);
+bool parse_name(const std::string&, Importance&);
 
 }  // namespace vicus

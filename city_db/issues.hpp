@@ -14,6 +14,8 @@ enum class IssueCode {
   unreadable_feature = 101,
   outside_limits = 102,  ///< farther than the lattice reaches from the origin
   unknown_attribute_value = 103,
+  unknown_place = 104,  ///< an important sector's id, name or place that the city does not have
+  terrain_hole = 105,   ///< no height here: taken from the nodes around
   // 2xx footprints
   ring_open = 201,
   ring_self_intersection = 202,
@@ -53,6 +55,12 @@ class CityError : public std::runtime_error {
  public:
   explicit CityError(const std::string& what, int exit_code = 1) : std::runtime_error(what), exit_code(exit_code) {}
   int exit_code;
+};
+
+/// The city file was made by a vicus of another format version. A new build may replace it, but learns nothing from it.
+class OtherVersionError : public CityError {
+ public:
+  using CityError::CityError;
 };
 
 }  // namespace vicus

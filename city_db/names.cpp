@@ -27,9 +27,18 @@ constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"}, 
                                                 {ObstacleKind::yard, "yard"},   {ObstacleKind::courtyard, "courtyard"}};
 constexpr Names<HeightSource> kHeightSources = {
     {HeightSource::measured, "measured"}, {HeightSource::levels, "levels"}, {HeightSource::guessed, "guessed"}};
+constexpr Names<VisibleReason> kVisibleReasons = {{VisibleReason::self, "self"},
+                                                  {VisibleReason::gate, "gate"},
+                                                  {VisibleReason::line_of_sight, "line_of_sight"},
+                                                  {VisibleReason::over_roofs, "over_roofs"},
+                                                  {VisibleReason::important, "important"}};
+constexpr Names<Importance> kImportances = {
+    {Importance::none, "none"}, {Importance::proposed, "proposed"}, {Importance::author, "author"}};
 constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
                                           {IssueCode::outside_limits, "outside_limits"},
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
+                                          {IssueCode::unknown_place, "unknown_place"},
+                                          {IssueCode::terrain_hole, "terrain_hole"},
                                           {IssueCode::ring_open, "ring_open"},
                                           {IssueCode::ring_self_intersection, "ring_self_intersection"},
                                           {IssueCode::ring_too_few_points, "ring_too_few_points"},
@@ -70,11 +79,15 @@ const char* name_of(GateKind k) { return find_name(kGateKinds, k); }
 const char* name_of(BorderKind k) { return find_name(kBorderKinds, k); }
 const char* name_of(ObstacleKind k) { return find_name(kObstacleKinds, k); }
 const char* name_of(HeightSource s) { return find_name(kHeightSources, s); }
+const char* name_of(VisibleReason r) { return find_name(kVisibleReasons, r); }
+const char* name_of(Importance i) { return find_name(kImportances, i); }
 const char* name_of(IssueCode c) { return find_name(kIssueCodes, c); }
 bool parse_name(const std::string& s, SectorKind& k) { return find_value(kSectorKinds, s, k); }
 bool parse_name(const std::string& s, GateKind& k) { return find_value(kGateKinds, s, k); }
 bool parse_name(const std::string& s, BorderKind& k) { return find_value(kBorderKinds, s, k); }
 bool parse_name(const std::string& s, ObstacleKind& k) { return find_value(kObstacleKinds, s, k); }
 bool parse_name(const std::string& s, HeightSource& k) { return find_value(kHeightSources, s, k); }
+bool parse_name(const std::string& s, VisibleReason& k) { return find_value(kVisibleReasons, s, k); }
+bool parse_name(const std::string& s, Importance& k) { return find_value(kImportances, s, k); }
 
 }  // namespace vicus

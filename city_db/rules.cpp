@@ -17,7 +17,7 @@ constexpr std::array<RuleText, kRuleCount> kTexts = {{
     {"houses_whole", "no gate crosses a footprint"},
     {"connected", "two places are joined by gates exactly when they are joined on foot"},
     {"budget", "no sector is sent with more bytes than the budget"},
-    {"identity", "ids are present and unique, and no record is there twice"},
+    {"identity", "ids are present and unique, no record is there twice, and lists of visible sectors are whole"},
 }};
 
 template <class T>
@@ -59,6 +59,7 @@ RuleReport check_rules(const City& city, const RuleOptions& options) {
   rules::check_houses_whole(city, findings);
   rules::check_connected(subject, findings);
   rules::check_identity(subject, findings);
+  rules::check_visible(subject, findings);
   std::stable_sort(report.violations.begin(), report.violations.end(),
                    [](const auto& a, const auto& b) { return a.rule < b.rule; });
   return report;

@@ -52,5 +52,8 @@ void check_connected(const Subject& subject, Findings& findings);
 /// Rules 6 and 7 (rules_records.cpp).
 void check_budget(const City& city, Findings& findings);
 void check_identity(const Subject& subject, Findings& findings);
+/// Rule 7 for L_vis: every list has its own sector and those behind its gates, a line of sight leads both ways, a row
+/// names what exists. Cities without L_vis hold (rules_visible.cpp).
+void check_visible(const Subject& subject, Findings& findings);
 
 }  // namespace vicus::rules

@@ -101,10 +101,6 @@ void check_identity(const Subject& subject, Findings& findings) {
   check_sector_names("building", city.buildings, subject.sectors, true, findings);
   check_sector_names("object", city.objects, subject.sectors, true, findings);
   check_sector_names("viewpoint", city.viewpoints, subject.sectors, false, findings);
-  for (const auto& v : city.visible)
-    if (!subject.sectors.contains(v.sector_id) || !subject.sectors.contains(v.visible_sector_id))
-      findings.add(Rule::identity, v.sector_id, {},
-                   "visible names the sector \"" + v.visible_sector_id + "\" or its own, which does not exist");
 }
 
 }  // namespace vicus::rules

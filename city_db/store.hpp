@@ -17,7 +17,7 @@ void write_city(const std::filesystem::path& path, const City& city,
                 const std::function<std::optional<Artefact>()>& next_artefact);
 
 /// Reads every record (not the artefacts).
-/// Fails   CityError: no such file, not a Vicus city, other format version, damaged record.
+/// Fails   CityError: no such file, not a Vicus city, damaged record; OtherVersionError: other format version.
 City read_city(const std::filesystem::path& path);
 
 /// Number and bytes of the artefacts of one media type and coding.
@@ -46,6 +46,9 @@ class CityReader {
   std::optional<Gate> gate(const std::string& id) const;
   std::optional<Building> building(const std::string& id) const;
   std::vector<Gate> gates_of(const std::string& sector_id) const;
+  std::vector<Border> borders_of(const std::string& sector_id) const;
+  std::vector<Building> buildings_of(const std::string& sector_id) const;  ///< whose roofs it sends
+  std::vector<StandaloneObject> objects_of(const std::string& sector_id) const;
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.

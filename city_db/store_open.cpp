@@ -31,9 +31,10 @@ void check_version(const Database& db, const std::filesystem::path& path) {
                     std::to_string(kFormatVersion) + " in its table meta, found " + found.substr(0, 40));
   const std::string both = ": expected format version " + std::to_string(kFormatVersion) + ", found " + found;
   if (version > kFormatVersion)
-    throw CityError(path.string() + " was made by a newer vicus" + both + "; use that, or build the city again");
+    throw OtherVersionError(path.string() + " was made by a newer vicus" + both +
+                            "; use that, or build the city again");
   if (version < kFormatVersion)
-    throw CityError(path.string() + " was made by an older vicus" + both + "; build the city again");
+    throw OtherVersionError(path.string() + " was made by an older vicus" + both + "; build the city again");
 }
 
 }  // namespace

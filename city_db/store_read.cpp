@@ -38,6 +38,10 @@ City read_city(const std::filesystem::path& path) {
   read_list(db, "viewpoint", meta, city.viewpoints);
   read_list(db, "visible", meta, city.visible);
   read_list(db, "issue", meta, city.issues);
+  std::vector<Terrain> terrains;
+  read_list(db, "terrain", meta, terrains);
+  if (terrains.size() > 1) db.throw_damaged("two terrains");
+  if (!terrains.empty()) city.terrain = std::move(terrains.front());
   for (const auto& [key, value] : meta)
     if (!is_own_key(key)) city.meta[key] = value;
   return city;

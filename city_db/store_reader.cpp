@@ -146,6 +146,15 @@ std::optional<Building> CityReader::building(const std::string& id) const {
 std::vector<Gate> CityReader::gates_of(const std::string& sector_id) const {
   return impl_->rows_of<Gate>("gate", sector_id);
 }
+std::vector<Border> CityReader::borders_of(const std::string& sector_id) const {
+  return impl_->rows_of<Border>("border", sector_id);
+}
+std::vector<Building> CityReader::buildings_of(const std::string& sector_id) const {
+  return impl_->rows_of<Building>("building", sector_id);
+}
+std::vector<StandaloneObject> CityReader::objects_of(const std::string& sector_id) const {
+  return impl_->rows_of<StandaloneObject>("object", sector_id);
+}
 std::vector<Viewpoint> CityReader::viewpoints_of(const std::string& sector_id) const {
   return impl_->rows_of<Viewpoint>("viewpoint", sector_id);
 }

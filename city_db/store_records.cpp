@@ -133,6 +133,8 @@ void bind_record(Statement& row, const Sector& s) {
   row.bind(7, metres(s.origin.x));
   row.bind(8, metres(s.origin.y));
   row.bind_blob(9, bytes_from_triangles(s.ground_triangles, s.ground));
+  row.bind(10, name_of(s.importance));
+  row.bind(11, s.vicinity_m);
 }
 
 void read_record(const Statement& row, Sector& s) {
@@ -144,6 +146,9 @@ void read_record(const Statement& row, Sector& s) {
   s.bytes = static_cast<std::uint64_t>(row.integer(5));
   s.origin = {lattice_at(row, 6), lattice_at(row, 7)};
   s.ground_triangles = triangles_from(row, 8, s.ground);
+  s.importance = kind_at<Importance>(row, 9);
+  s.vicinity_m = row.real(10);
+  if (s.vicinity_m < 0) row.database().throw_damaged("a vicinity below 0");
 }
 
 void bind_record(Statement& row, const Gate& g) {
@@ -294,13 +299,48 @@ void read_record(const Statement& row, Viewpoint& v) {
 void bind_record(Statement& row, const Visible& v) {
   row.bind(1, v.sector_id);
   row.bind(2, v.visible_sector_id);
-  row.bind(3, v.reason);
+  row.bind(3, name_of(v.reason));
+  row.bind(4, std::int64_t{v.is_proven});
+  row.bind(5, json_from_names(v.building_ids));
 }
 
 void read_record(const Statement& row, Visible& v) {
   v.sector_id = row.text(0);
   v.visible_sector_id = row.text(1);
-  v.reason = row.text(2);
+  v.reason = kind_at<VisibleReason>(row, 2);
+  v.is_proven = row.integer(3) != 0;
+  v.building_ids = require(row, names_from_json(row.bytes(4)), "building ids are no JSON array");
+}
+
+void bind_record(Statement& row, const Terrain& t) {
+  assert(t.height_mm.size() == std::size_t{t.columns} * t.rows);
+  std::string heights;
+  heights.reserve(4 * t.height_mm.size());
+  for (const std::int32_t mm : t.height_mm) append_le(heights, static_cast<std::uint32_t>(mm));
+  row.bind(1, metres(t.corner.x));
+  row.bind(2, metres(t.corner.y));
+  row.bind(3, metres(t.step_mm));
+  row.bind(4, std::int64_t{t.columns});
+  row.bind(5, std::int64_t{t.rows});
+  row.bind_blob(6, heights);
+}
+
+void read_record(const Statement& row, Terrain& t) {
+  t.corner = {lattice_at(row, 0), lattice_at(row, 1)};
+  t.step_mm = lattice_at(row, 2);
+  const std::int64_t columns = row.integer(3), rows = row.integer(4);
+  // No side can have more nodes than the lattice has millimetres; with that, the products below cannot overflow.
+  for (const auto& [nodes, corner_mm] : {std::pair(columns, t.corner.x), {rows, t.corner.y}})
+    if (t.step_mm < 1 || nodes < 1 || nodes > kPlanLimit || corner_mm + (nodes - 1) * t.step_mm >= kPlanLimit)
+      row.database().throw_damaged("a terrain that does not fit the lattice");
+  const auto bytes = row.bytes(5);
+  if (static_cast<std::int64_t>(bytes.size()) != 4 * columns * rows)
+    row.database().throw_damaged("a terrain with other than columns x rows heights");
+  t.columns = static_cast<std::uint32_t>(columns);
+  t.rows = static_cast<std::uint32_t>(rows);
+  t.height_mm.resize(bytes.size() / 4);
+  for (std::size_t i = 0; i < t.height_mm.size(); ++i)
+    t.height_mm[i] = std::bit_cast<std::int32_t>(le_at<std::uint32_t>(bytes, 4 * i));
 }
 
 void bind_record(Statement& row, const Issue& i) {

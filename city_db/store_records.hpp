@@ -18,6 +18,7 @@ void bind_record(Statement& row, const Street& street);
 void bind_record(Statement& row, const StandaloneObject& object);
 void bind_record(Statement& row, const Viewpoint& viewpoint);
 void bind_record(Statement& row, const Visible& visible);
+void bind_record(Statement& row, const Terrain& terrain);
 void bind_record(Statement& row, const Issue& issue);
 void bind_record(Statement& row, const Artefact& artefact);
 
@@ -31,6 +32,7 @@ void read_record(const Statement& row, Street& street);
 void read_record(const Statement& row, StandaloneObject& object);
 void read_record(const Statement& row, Viewpoint& viewpoint);
 void read_record(const Statement& row, Visible& visible);
+void read_record(const Statement& row, Terrain& terrain);
 void read_record(const Statement& row, Issue& issue);
 void read_record(const Statement& row, Artefact& artefact);
 

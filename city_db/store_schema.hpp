@@ -9,7 +9,7 @@ namespace vicus {
 
 class Database;
 
-inline constexpr int kFormatVersion = 1;
+inline constexpr int kFormatVersion = 2;
 inline constexpr const char* kGeometryColumn = "geom";
 
 struct Column {

@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, boundary, buildings, streets, origin;
+  std::string output, boundary, buildings, streets, origin, important;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -65,12 +65,16 @@ LoadOptions load_options(const Arguments& arguments) {
 }
 
 /// The city built before under this name, for its sector ids. A file that is no city is refused before any work is
-/// done.
-std::optional<City> previous_city(const Arguments& arguments) {
+/// done; one of another format version is replaced, and its ids are lost.
+std::optional<City> previous_city(const Arguments& arguments, const Context& context) {
   if (!std::filesystem::exists(arguments.output)) return std::nullopt;
-  City city = read_city(arguments.output);
-  if (arguments.fresh_ids) return std::nullopt;
-  return city;
+  try {
+    City city = read_city(arguments.output);
+    if (!arguments.fresh_ids) return city;
+  } catch (const OtherVersionError& error) {
+    if (!context.quiet) std::fprintf(stderr, "%s\nit is replaced; its sector ids are not kept\n", error.what());
+  }
+  return std::nullopt;
 }
 
 void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
@@ -90,6 +94,8 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
+  if (!arguments.important.empty())
+    options["important"] = std::filesystem::path(arguments.important).filename().string();
   city.meta["options"] = options.dump();
 }
 
@@ -126,7 +132,7 @@ std::string report_text(const City& city, const BuildReport& report, const std::
 }
 
 void run(const Arguments& arguments, Context& context) {
-  const std::optional<City> previous = previous_city(arguments);
+  const std::optional<City> previous = previous_city(arguments, context);
   const Progress progress(context);
   BuildReport report;
   StageClock clock(report, [&](const char* stage) { progress(stage); });
@@ -138,6 +144,7 @@ void run(const Arguments& arguments, Context& context) {
   BuildOptions options;
   options.budget_bytes = std::uint64_t{arguments.budget_kb} * 1000;
   options.threads = arguments.threads;
+  if (!arguments.important.empty()) options.important = read_author_list(arguments.important, issues);
   options.previous = previous ? &*previous : nullptr;
   options.on_stage = [&](const char* stage) { progress(stage); };
   const std::vector<std::string> licences = map.licences;
@@ -176,6 +183,9 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
   command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
+  command->add_option("--important", arguments->important,
+                      "important sectors, one a line: PLACE[,METRES] or LAT,LON[,METRES]; PLACE is a sector id or the "
+                      "name of a street or square, METRES (default 500) how far around it stays loaded, 0: no more");
   command->add_option("--threads", arguments->threads, "0: all cores");
   command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
       ->check(CLI::Range(10u, 100000u));

@@ -74,12 +74,14 @@ Json bytes_json(const City& city) {
 }
 
 Json visibility_json(const City& city) {
-  Json json = {{"self", 0}, {"gate", 0}, {"line_of_sight", 0}, {"over_roofs", 0}, {"important", 0}};
-  for (const auto& v : city.visible) json[v.reason] = json.value(v.reason, 0) + 1;
-  // What the exact test could not decide is published by the stage that decides; absent until it runs.
-  const auto unresolved = city.meta.find("visibility_unresolved");
-  json["unresolved"] =
-      unresolved == city.meta.end() ? Json() : Json(std::strtoull(unresolved->second.c_str(), nullptr, 10));
+  Json json = {{"self", 0}, {"gate", 0}, {"line_of_sight", 0}, {"over_roofs", 0}, {"important", 0}, {"unresolved", 0}};
+  for (const auto& v : city.visible) {
+    json[name_of(v.reason)] = json[name_of(v.reason)].get<int>() + 1;
+    if (!v.is_proven) json["unresolved"] = json["unresolved"].get<int>() + 1;
+  }
+  int important = 0;
+  for (const auto& s : city.sectors) important += s.importance != Importance::none;
+  json["important_sectors"] = important;
   json["per_sector_mean"] =
       city.sectors.empty() ? 0.0 : static_cast<double>(city.visible.size()) / static_cast<double>(city.sectors.size());
   return json;

@@ -57,8 +57,9 @@ void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat f
       shapes += file.shapes;
     }
     if (!is_site || format != SceneFormat::x3d) continue;
-    for (const auto& file : sector_files(index, sector, Detail::far, format))
-      write_file(folder / file.path, file.text, written);
+    for (const auto detail : {Detail::far, Detail::tall})
+      for (const auto& file : sector_files(index, sector, detail, format))
+        write_file(folder / file.path, file.text, written);
     write_file(folder / "sectors" / (sector.id + ".json"), record_json(sector_record(source_of(index), sector, shapes)),
                written);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -28,7 +29,12 @@ struct Listing {
 std::vector<Listing> listings_of(const City& city) {
   const auto kind = [](const auto& record) { return std::string(name_of(record.kind)); };
   const auto plain_kind = [](const auto& record) { return record.kind; };
+  std::vector<Sector> important;
+  std::copy_if(city.sectors.begin(), city.sectors.end(), std::back_inserter(important),
+               [](const Sector& s) { return s.importance != Importance::none; });
   return {{"sectors", city.sectors.size(), count_by(city.sectors, kind)},
+          {"important", important.size(),
+           count_by(important, [](const Sector& s) { return std::string(name_of(s.importance)); })},
           {"gates", city.gates.size(), count_by(city.gates, kind)},
           {"borders", city.borders.size(), count_by(city.borders, kind)},
           {"buildings", city.buildings.size(),
@@ -37,7 +43,13 @@ std::vector<Listing> listings_of(const City& city) {
           {"streets", city.streets.size(), count_by(city.streets, plain_kind)},
           {"objects", city.objects.size(), count_by(city.objects, plain_kind)},
           {"viewpoints", city.viewpoints.size(), count_by(city.viewpoints, plain_kind)},
-          {"visible", city.visible.size(), count_by(city.visible, [](const Visible& v) { return v.reason; })},
+          {"visible", city.visible.size(),
+           count_by(city.visible, [](const Visible& v) { return std::string(name_of(v.reason)); })},
+          {"unresolved",
+           static_cast<std::size_t>(
+               std::count_if(city.visible.begin(), city.visible.end(), [](const Visible& v) { return !v.is_proven; })),
+           {}},
+          {"terrain nodes", city.terrain.height_mm.size(), {}},
           {"issues", city.issues.size(),
            count_by(city.issues, [](const Issue& i) { return std::string(name_of(i.code)); })}};
 }

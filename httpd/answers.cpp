@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "city_db/issues.hpp"
 #include "httpd/etag.hpp"
 #include "httpd/media_types.hpp"
 #include "httpd/negotiate.hpp"
 #include "httpd/problem.hpp"
-#include "x3d_export/package.hpp"
+#include "x3d_export/coding.hpp"
 
 namespace vicus {
 
@@ -115,6 +116,34 @@ HttpResponse answer_made(const HttpRequest& request, const std::string& media_ty
   return response;
 }
 
+namespace {
+
+/// What no file of ours comes near; a city file from elsewhere may unpack to anything.
+constexpr std::size_t kMostUnpacked_bytes = 64 << 20;
+
+/// The plain bytes of the stored row.
+std::string plain_bytes(const CityReader& city, const Artefact& row) {
+  const auto artefact = city.artefact(row.path, {row.coding});
+  if (!artefact) throw CityError("the artefact " + row.path + " went away while it was read");
+  if (row.coding == "identity") return artefact->body;
+  auto plain = unbrotli(artefact->body, kMostUnpacked_bytes);
+  if (!plain)
+    throw CityError("the artefact " + row.path + " is damaged: expected brotli of at most " +
+                    std::to_string(kMostUnpacked_bytes) + " bytes; build the city again");
+  return *std::move(plain);
+}
+
+/// The body in a coding that is not stored; null: gzip, which would save nothing, as brotli did not.
+std::shared_ptr<const std::string> derived_body(const CityReader& city, const Artefact& row,
+                                                const std::string& coding) {
+  std::string plain = plain_bytes(city, row);
+  if (coding == "identity") return body_of(std::move(plain));
+  std::string gz = gzip(plain, kGzipLevel);
+  return gz.size() < plain.size() ? body_of(std::move(gz)) : nullptr;
+}
+
+}  // namespace
+
 std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city,
                                             const std::string& path) {
   const auto rows = city.artefact_codings(path);
@@ -123,12 +152,21 @@ std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const Ci
   auto choice = choose(request, media_type);
   if (choice.refusal) return *std::move(choice.refusal);
   for (const auto& coding : choice.codings) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Artefact& r) { return r.coding == coding; });
+    const auto row_in = [&](const std::string& c) {
+      return std::find_if(rows.begin(), rows.end(), [&](const Artefact& r) { return r.coding == c; });
+    };
+    auto row = row_in(coding);
+    const bool is_stored = row != rows.end();
+    if (!is_stored && coding != "br") row = row_in("identity") != rows.end() ? row_in("identity") : row_in("br");
     if (row == rows.end()) continue;
+    // Unpacking gives the same bytes each time, so the stored row's hash, with the coding's name, tags them, too.
     auto response = answer_in_coding(request, media_type, coding, etag_of(row->hash, coding), Caching::revalidate);
     if (response.status != 200) return response;
-    if (auto artefact = city.artefact(path, {coding})) response.body = body_of(std::move(artefact->body));
-    return response;
+    if (!is_stored)
+      response.body = derived_body(city, *row, coding);
+    else if (auto artefact = city.artefact(path, {coding}))
+      response.body = body_of(std::move(artefact->body));
+    if (response.body) return response;
   }
   return not_acceptable(kNoCoding);
 }

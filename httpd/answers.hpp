@@ -17,7 +17,9 @@ HttpResponse answer_file(const HttpRequest& request, const StaticFile& file, Cac
 /// Bytes made for this request; coded here when that pays.
 HttpResponse answer_made(const HttpRequest& request, const std::string& media_type, std::string bytes);
 
-/// A row of table `artefact`; nullopt: there is no such path.
+/// What table `artefact` has under the path: a stored coding as it is, plain bytes and gzip made from what is stored.
+/// nullopt: there is no such path.
+/// Fails   CityError: the stored bytes cannot be unpacked.
 std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city,
                                             const std::string& path);
 

@@ -11,6 +11,7 @@
 #include "httpd/negotiate.hpp"
 #include "httpd/problem.hpp"
 #include "x3d_export/root_scene.hpp"
+#include "x3d_export/sector_scene.hpp"
 
 namespace vicus {
 namespace {
@@ -26,12 +27,39 @@ bool is_id(const std::string& id) {
   });
 }
 
-/// The path with the suffix whose media type the client likes best, among those stored.
-HttpResponse answer_by_accept(const HttpRequest& request, const CityReader& city, const std::string& path) {
+/// Formats that few ask for are not stored: they are written from the records when somebody does.
+constexpr std::array kWritten = {SceneFormat::vrml, SceneFormat::x3dj};
+
+std::optional<SceneFormat> written_format(const std::string& name) {
+  for (const auto format : kWritten)
+    if (name.ends_with(suffix_of(format))) return format;
+  return std::nullopt;
+}
+
+/// Is there a file `path` + `suffix`, stored or to be written? Needs   the path of a sector that exists.
+bool has_format(const CityReader& city, const std::string& path, const std::string& suffix) {
+  return written_format(suffix) || !city.artefact_codings(path + suffix).empty();
+}
+
+/// The sector's file of this name ("r12.wrl", "r12.2.wrl") written from the records; nullopt: there is none.
+std::optional<HttpResponse> answer_written(const HttpRequest& request, const CityReader& city, const std::string& id,
+                                           const std::string& name) {
+  const auto format = written_format(name);
+  if (!format) return std::nullopt;
+  const auto around = city_around(city, id);
+  if (!around) return std::nullopt;
+  for (auto& file : sector_files(CityIndex(*around), around->sectors.front(), Detail::near, *format))
+    if (file.path == "sectors/" + name) return answer_made(request, file.media_type, std::move(file.text));
+  return std::nullopt;
+}
+
+/// The path with the suffix whose media type the client likes best, among those there are.
+HttpResponse answer_by_accept(const HttpRequest& request, const CityReader& city, const std::string& id) {
+  const auto path = "sectors/" + id;
   std::vector<std::string> media_types;
   std::string listed;
   for (const char* suffix : kSuffixes) {
-    if (city.artefact_codings(path + suffix).empty()) continue;
+    if (!has_format(city, path, suffix)) continue;
     media_types.emplace_back(media_type_of_file(suffix));
     listed += (listed.empty() ? "" : ", ") + media_types.back();
   }
@@ -40,15 +68,17 @@ HttpResponse answer_by_accept(const HttpRequest& request, const CityReader& city
   if (wanted->empty()) return not_acceptable(listed);
   const auto suffix =
       std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const char* s) { return media_type_of_file(s) == *wanted; });
-  auto response = answer_artefact(request, city, path + *suffix).value();
-  response.fields.emplace_back("Content-Location", "/" + path + *suffix);
-  return response;
+  auto response = answer_artefact(request, city, path + *suffix);
+  if (!response) response = answer_written(request, city, id, id + *suffix);
+  if (!response) return problem(404, "Sector " + id + " has no " + *suffix + ".");
+  response->fields.emplace_back("Content-Location", "/" + path + *suffix);
+  return *std::move(response);
 }
 
 std::string formats_of(const CityReader& city, const std::string& id) {
   std::string listed;
-  for (const char* suffix : {".x3d", ".far.x3d", ".wrl", ".x3dj", ".glb", ".json"})
-    if (!city.artefact_codings("sectors/" + id + suffix).empty()) listed += " /sectors/" + id + suffix;
+  for (const char* suffix : {".x3d", ".far.x3d", ".tall.x3d", ".wrl", ".x3dj", ".glb", ".json"})
+    if (has_format(city, "sectors/" + id, suffix)) listed += " /sectors/" + id + suffix;
   return listed.empty() ? " nothing: build the city again" : listed;
 }
 
@@ -116,11 +146,13 @@ HttpResponse answer_sector(const HttpRequest& request, const CityReader& city, c
                             "' is no sector id: ids have letters, digits, '-' and '_'. Ask "
                             "/collections/sectors/items for those there are.");
   const auto path = "sectors/" + name;
-  if (dot < name.size())
+  if (dot < name.size()) {
     if (auto artefact = answer_artefact(request, city, path)) return *std::move(artefact);
+    if (auto file = answer_written(request, city, id, name)) return *std::move(file);
+  }
   if (!city.sector(id))
     return problem(404, "There is no sector " + id + ". Ask /collections/sectors/items for those there are.");
-  if (dot == name.size() && !city.artefact_codings(path + ".x3d").empty()) return answer_by_accept(request, city, path);
+  if (dot == name.size() && !city.artefact_codings(path + ".x3d").empty()) return answer_by_accept(request, city, id);
   return problem(404, "Sector " + id + " has no " + name.substr(dot) + ". It has:" + formats_of(city, id));
 }
 

@@ -8,7 +8,7 @@
 #include "city_db/issues.hpp"
 #include "httpd/etag.hpp"
 #include "httpd/media_types.hpp"
-#include "x3d_export/package.hpp"
+#include "x3d_export/coding.hpp"
 
 namespace vicus {
 namespace {

@@ -9,6 +9,8 @@
 #include <ctime>
 #include <fstream>
 
+#include "sectorgen/geo/plan_frame.hpp"
+#include "sectorgen/important/important.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
@@ -83,6 +85,10 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   name_sectors(map, plan, city);
   furnish(map, plan, city);
   identify(options.previous, city);
+  const PlanFrame frame(city.origin);
+  mark_important(city, {options.important, [&](LatLon p) { return frame.plan_from_latlon(p); }, options.previous},
+                 city.issues);
+  add_important(city);
   clock.end();
   return city;
 }

@@ -69,7 +69,11 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
   for (const auto& b : city.borders) borders_of_[b.sector_id].push_back(&b);
   for (const auto& o : city.objects) objects_of_[o.sector_id].push_back(&o);
   for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
-  for (const auto& v : city.visible) visible_from_[v.sector_id].push_back(&v);
+  for (const auto& v : city.visible) {
+    visible_from_[v.sector_id].push_back(&v);
+    if (!v.building_ids.empty())
+      tall_houses_of_[v.visible_sector_id].insert(v.building_ids.begin(), v.building_ids.end());
+  }
   sort_by_id(gates_of_);
   sort_by_id(buildings_of_);
   sort_by_id(objects_of_);
@@ -102,6 +106,11 @@ const std::vector<const Viewpoint*>& CityIndex::viewpoints_of(const std::string&
 }
 const std::vector<const Visible*>& CityIndex::visible_from(const std::string& id) const {
   return find_list(visible_from_, id);
+}
+const std::set<std::string>& CityIndex::tall_houses_of(const std::string& id) const {
+  static const std::set<std::string> kNone;
+  const auto at = tall_houses_of_.find(id);
+  return at == tall_houses_of_.end() ? kNone : at->second;
 }
 
 RecordSource source_of(const CityIndex& index) {

@@ -2,6 +2,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ class CityIndex {
   const std::vector<const StandaloneObject*>& objects_of(const std::string& sector_id) const;
   const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
   const std::vector<const Visible*>& visible_from(const std::string& sector_id) const;
+  /// Ids of the houses of the sector that some other sector sees over roofs.
+  const std::set<std::string>& tall_houses_of(const std::string& sector_id) const;
 
  private:
   template <class T>
@@ -57,6 +60,7 @@ class CityIndex {
   BySector<StandaloneObject> objects_of_;
   BySector<Viewpoint> viewpoints_of_;
   BySector<Visible> visible_from_;
+  std::map<std::string, std::set<std::string>> tall_houses_of_;
 };
 
 /// Needs   `index` outlives the source.
@@ -65,5 +69,10 @@ RecordSource source_of(const CityIndex& index);
 /// The same from a city file, for the server.
 /// Needs   `reader` outlives the source.   Fails   CityError as CityReader does.
 RecordSource source_of(const CityReader& reader);
+
+/// All that the near files of one sector are made from, as a city of its own: an index over it makes the same files as
+/// one over the whole city. nullopt: there is no such sector.
+/// Fails   CityError as CityReader does.
+std::optional<City> city_around(const CityReader& reader, const std::string& sector_id);
 
 }  // namespace vicus

@@ -2,34 +2,27 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "city_db/city.hpp"
 
-/// Files of a city as they are stored and sent: compressed once, at build time, with strong hashes (DESIGN §10).
+/// Files of a city as they are stored: compressed once, at build time, with strong hashes (DESIGN §10).
+///
+/// Differs DESIGN §10 has gzip made at build time, too, and every format stored: the server makes gzip and the plain
+///         bytes from brotli, and VRML97 and X3D JSON from the records, when asked for (docs/figures.md has the times).
 namespace vicus {
 
 struct PackageOptions {
   unsigned threads = 0;    ///< 0: all cores
-  int brotli_quality = 6;  ///< 5 ... 11 for what a walk loads: near X3D, far X3D, records
-  int side_quality = 4;    ///< the same for VRML97 and X3D JSON, which few ask for
-  int gzip_level = 6;      ///< libdeflate 1 ... 12
+  int brotli_quality = 6;  ///< 0 ... 11
 };
 
-/// 128 bits of SHA-256, 32 hexadecimal digits.
-std::string strong_hash(const std::string& body);
-std::string brotli(const std::string& body, int quality);
-std::string gzip(const std::string& body, int level);
+/// The one row that holds `body`: as brotli, or as it is where that saves nothing. The hash is that of the row's body.
+Artefact stored(const std::string& path, const std::string& media_type, const std::string& body, int brotli_quality);
 
-/// `body` under `path` in the codings identity, br and gzip; a coding that saves nothing is left out. Each row's hash
-/// is that of its own body.
-std::vector<Artefact> coded(const std::string& path, const std::string& media_type, const std::string& body,
-                            int brotli_quality, int gzip_level);
-
-/// Every artefact of the city one by one, in sector order: for each sector .x3d, .far.x3d, .wrl, .x3dj (and their
-/// parts) and .json. nullopt at the end.
+/// Every artefact of the city one by one, in sector order: for each sector .x3d, .far.x3d, .tall.x3d where it has one
+/// (each with its parts), and .json. nullopt at the end.
 ///
-/// On return every Sector.bytes is filled: brotli bytes of the near X3D file and its parts; and meta "start" is set
+/// On return every Sector.bytes is filled: stored bytes of the near X3D file and its parts; and meta "start" is set
 /// where it was not.
 /// Needs   `city` outlives the generator and is not changed by others meanwhile.
 /// Cost    memory: the near files as brotli; the rest is made in batches while it is pulled. Equal bytes for any number

@@ -18,4 +18,30 @@ RecordSource source_of(const CityReader& reader) {
   return source;
 }
 
+std::optional<City> city_around(const CityReader& reader, const std::string& id) {
+  auto sector = reader.sector(id);
+  if (!sector) return std::nullopt;
+  City city;
+  city.meta["licences"] = reader.meta("licences").value_or("");
+  city.gates = reader.gates_of(id);
+  city.borders = reader.borders_of(id);
+  city.buildings = reader.buildings_of(id);
+  city.objects = reader.objects_of(id);
+  city.viewpoints = reader.viewpoints_of(id);
+  city.visible = reader.visible_from(id);
+  std::set<std::string> others, houses, facades;
+  for (const auto& g : city.gates) others.insert(g.to_sector_id);
+  for (const auto& v : city.visible) others.insert(v.visible_sector_id);
+  for (const auto& h : city.buildings) houses.insert(h.id);
+  for (const auto& b : city.borders)
+    if (b.kind == BorderKind::facade && !houses.contains(b.building_id)) facades.insert(b.building_id);
+  city.sectors.push_back(*std::move(sector));
+  others.erase(id);
+  for (const auto& other : others)
+    if (auto found = reader.sector(other)) city.sectors.push_back(*std::move(found));
+  for (const auto& house : facades)
+    if (auto found = reader.building(house)) city.buildings.push_back(*std::move(found));
+  return city;
+}
+
 }  // namespace vicus

@@ -82,20 +82,23 @@ Node neighbour_node(const SectorNeighbour& neighbour) {
 }  // namespace
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
-  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}};
-  std::set<std::string> behind, visible;
+  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}};
+  std::set<std::string> behind;
   for (const auto& g : record.gates)
     if (!g.to_sector_id.empty()) behind.insert(g.to_sector_id);
-  for (const auto& v : source.visible_from(sector.id)) visible.insert(v.visible_sector_id);
-  if (visible.empty()) {
-    visible = behind;
-    visible.insert(sector.id);
+  record.reasons[sector.id] = VisibleReason::self;
+  for (const auto& id : behind) record.reasons.emplace(id, VisibleReason::gate);
+  for (const auto& v : source.visible_from(sector.id)) {
+    if (!record.reasons.emplace(v.visible_sector_id, v.reason).second) continue;
+    if (v.reason == VisibleReason::over_roofs) record.over_roofs.push_back(v.visible_sector_id);
+    if (!v.is_proven) record.unresolved.push_back(v.visible_sector_id);
   }
-  behind.insert(visible.begin(), visible.end());
-  behind.erase(sector.id);
-  record.visible.assign(visible.begin(), visible.end());
-  for (const auto& id : behind)
-    if (const auto other = source.sector(id)) record.neighbours.push_back({id, other->origin, box_of(other->ground)});
+  std::sort(record.over_roofs.begin(), record.over_roofs.end());
+  std::sort(record.unresolved.begin(), record.unresolved.end());
+  for (const auto& [id, reason] : record.reasons) record.visible.push_back(id);
+  for (const auto& id : record.visible)
+    if (const auto other = id == sector.id ? std::nullopt : source.sector(id))
+      record.neighbours.push_back({id, other->origin, box_of(other->ground)});
   record.viewpoints = source.viewpoints_of(sector.id);
   return record;
 }
@@ -103,7 +106,7 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
 std::string record_json(const SectorRecord& record) {
   const Sector& s = record.sector;
   Json names = Json::array(), ground = Json::array(), gates = Json::array(), neighbours = Json::array(),
-       viewpoints = Json::array();
+       viewpoints = Json::array(), reasons = Json::object();
   for (const auto& name : s.names) names.push_back(clean_text(name));
   ground.push_back(json_of(s.ground.outer));
   for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
@@ -111,6 +114,7 @@ std::string record_json(const SectorRecord& record) {
   for (const auto& n : record.neighbours)
     neighbours.push_back({{"id", n.id}, {"origin", values_of(n.origin)}, {"box", values_of(n.box)}});
   for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
+  for (const auto& [id, reason] : record.reasons) reasons[id] = name_of(reason);
   const Json json = {{"id", s.id},
                      {"kind", name_of(s.kind)},
                      {"name", clean_text(s.name)},
@@ -122,6 +126,9 @@ std::string record_json(const SectorRecord& record) {
                      {"gates", gates},
                      {"neighbours", neighbours},
                      {"visible", record.visible},
+                     {"over_roofs", record.over_roofs},
+                     {"unresolved", record.unresolved},
+                     {"visible_reasons", reasons},
                      {"viewpoints", viewpoints}};
   return json.dump();
 }
@@ -145,6 +152,7 @@ Node record_node(const SectorRecord& record) {
   for (const auto& g : record.gates) node.add("value", gate_node(g));
   for (const auto& n : record.neighbours) node.add("value", neighbour_node(n));
   node.add("value", texts("visible", record.visible));
+  if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
   return node;
 }
 

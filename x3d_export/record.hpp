@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ struct SectorRecord {
   PlanBox box;
   int shapes = 0;  ///< Shape nodes in the near file and its parts
   std::vector<Gate> gates;
-  std::vector<SectorNeighbour> neighbours;  ///< every sector a gate leads to and every visible one, by id
-  std::vector<std::string> visible;         ///< L_vis by id; gate neighbours and itself where none was computed
+  std::vector<SectorNeighbour> neighbours;       ///< every sector a gate leads to and every visible one, by id
+  std::vector<std::string> visible;              ///< L_vis by id, with what none lacks: itself and its gate neighbours
+  std::map<std::string, VisibleReason> reasons;  ///< of each in `visible`
+  std::vector<std::string> over_roofs, unresolved;  ///< of `visible`: seen only above roofs; of these: not proven
   std::vector<Viewpoint> viewpoints;
 };
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "x3d_export/colours.hpp"
@@ -35,33 +36,55 @@ Ids behind_gates(const RecordSource& source, const std::string& id) {
   return ids;
 }
 
-/// L_i of paper 004 §5.1: the start, then i times the L_vis and gate neighbours of all that are in.
-Ids sectors_within(const RecordSource& source, const std::string& start, int level) {
-  if (level == kEverySector) {
-    const auto ids = source.sector_ids();
-    return {ids.begin(), ids.end()};
+/// Ids of sectors to show, and which file: true where the tall houses are enough.
+using Shown = std::map<std::string, bool>;
+
+/// L_i of paper 004 §5.1: the start, then i times the L_vis and gate neighbours of all that are in. A sector that is
+/// only seen over roofs comes as its tall houses and leads no further; VRML97 and X3D JSON have no such files.
+Shown sectors_within(const RecordSource& source, const RootOptions& options, const std::string& start) {
+  Shown shown{{start, false}};
+  if (options.level == kEverySector) {
+    for (const auto& id : source.sector_ids()) shown[id] = false;
+    return shown;
   }
-  Ids all{start}, latest{start};
-  for (int i = 0; i < level && !latest.empty(); ++i) {
+  Ids latest{start};
+  for (int i = 0; i < options.level && !latest.empty(); ++i) {
     Ids found;
     for (const auto& id : latest) {
-      for (const auto& v : source.visible_from(id)) found.insert(v.visible_sector_id);
+      for (const auto& v : source.visible_from(id))
+        if (options.format == SceneFormat::x3d && !v.building_ids.empty())
+          shown.emplace(v.visible_sector_id, true);
+        else
+          found.insert(v.visible_sector_id);
       found.merge(behind_gates(source, id));
     }
     latest.clear();
-    for (const auto& id : found)
-      if (all.insert(id).second) latest.insert(id);
+    for (const auto& id : found) {
+      const auto [at, is_new] = shown.emplace(id, false);
+      if (is_new || at->second) latest.insert(id);
+      at->second = false;
+    }
   }
-  return all;
+  return shown;
 }
 
+struct InitialSector {
+  Sector sector;
+  bool is_tall = false;
+};
+
 /// The start sector first, then the others by id.
-std::vector<Sector> initial_sectors(const RecordSource& source, const RootOptions& options, const Sector& start) {
-  std::vector<Sector> sectors{start};
-  Ids ids = options.is_static ? sectors_within(source, start.id, options.level) : behind_gates(source, start.id);
-  ids.erase(start.id);
-  for (const auto& id : ids)
-    if (auto sector = source.sector(id)) sectors.push_back(std::move(*sector));
+std::vector<InitialSector> initial_sectors(const RecordSource& source, const RootOptions& options,
+                                           const Sector& start) {
+  std::vector<InitialSector> sectors{{start}};
+  Shown shown;
+  if (options.is_static)
+    shown = sectors_within(source, options, start.id);
+  else
+    for (const auto& id : behind_gates(source, start.id)) shown.emplace(id, false);
+  shown.erase(start.id);
+  for (const auto& [id, is_tall] : shown)
+    if (auto sector = source.sector(id)) sectors.push_back({std::move(*sector), is_tall});
   return sectors;
 }
 
@@ -88,12 +111,15 @@ std::vector<double> root_position(PlanPoint origin) {
   return {metres(p.x), metres(p.y), metres(p.z)};
 }
 
-Node place_node(const RecordSource& source, const RootOptions& options, const Sector& sector, std::size_t number) {
+Node place_node(const RecordSource& source, const RootOptions& options, const InitialSector& initial,
+                std::size_t number) {
+  const Sector& sector = initial.sector;
   const std::string suffix = std::to_string(number);
   Node inline_node("Inline", "S_" + suffix);
   if (!options.is_static && options.format != SceneFormat::vrml) inline_node.set("load", false);
   set_bounds(inline_node, source, sector);
-  inline_node.set("url", std::vector<std::string>{options.base + sector.id + suffix_of(options.format)});
+  inline_node.set("url", std::vector<std::string>{options.base + sector.id + (initial.is_tall ? ".tall" : "") +
+                                                  suffix_of(options.format)});
   Node place("Transform", "P_" + suffix);
   place.set("translation", root_position(sector.origin));
   return place.add(std::move(inline_node));
@@ -144,11 +170,11 @@ ScriptField node_field(const char* name, FieldType type, std::vector<Node> nodes
   return {name, type, Access::initialize_only, std::string(), std::move(nodes)};
 }
 
-Node loader_node(const RootOptions& options, const std::vector<Sector>& sectors, const Node& world) {
+Node loader_node(const RootOptions& options, const std::vector<InitialSector>& sectors, const Node& world) {
   std::vector<std::string> ids;
   std::vector<double> origins;
   std::vector<Node> inlines, places;
-  for (const auto& s : sectors) {
+  for (const auto& [s, is_tall] : sectors) {
     ids.push_back(s.id);
     for (const double v : root_position(s.origin)) origins.push_back(v);
   }
@@ -160,7 +186,7 @@ Node loader_node(const RootOptions& options, const std::vector<Sector>& sectors,
   script.set("directOutput", true).set("url", std::vector<std::string>{options.loader_url});
   script.interface = {{"set_position", FieldType::sf_vec3f, Access::input_only, std::string(), {}},
                       {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
-                      field("start", FieldType::sf_string, sectors.front().id),
+                      field("start", FieldType::sf_string, sectors.front().sector.id),
                       field("base", FieldType::sf_string, options.base),
                       field("ids", FieldType::mf_string, ids),
                       node_field("inlines", FieldType::mf_node, inlines),

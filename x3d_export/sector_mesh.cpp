@@ -52,14 +52,19 @@ void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m,
   for (std::size_t i = 1; i < line.size(); ++i) faces.add_wall(line[i - 1], line[i], bottom_m, top_m, colour);
 }
 
+/// Are the house's walls and roof drawn at this detail?
+bool is_drawn(const CityIndex& index, const Sector& sector, Detail detail, const std::string& house_id) {
+  return detail != Detail::tall || index.tall_houses_of(sector.id).contains(house_id);
+}
+
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
 void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
-    if (!house || house->base_m > 0) continue;
-    add_walls(faces, detail == Detail::far ? simplified(border->line) : border->line, 0, prism_top_m(*house),
+    if (!house || house->base_m > 0 || !is_drawn(index, sector, detail, house->id)) continue;
+    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), 0, prism_top_m(*house),
               facade_colour(*house));
   }
 }
@@ -71,8 +76,9 @@ void add_ring_walls(FaceList& faces, const Building& house, const Ring& ring) {
 }
 
 /// Roofs, side walls and undersides of the houses that this sector sends.
-void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector) {
+void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   for (const Building* house : index.buildings_of(sector.id)) {
+    if (!is_drawn(index, sector, detail, house->id)) continue;
     faces.add_floor(house->footprint, house->roof_triangles, prism_top_m(*house), roof_colour(*house), false);
     if (house->base_m > 0) {
       faces.add_floor(house->footprint, house->roof_triangles, house->base_m, facade_colour(*house), true);
@@ -163,9 +169,10 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
   FaceList ground(sector.origin), houses(sector.origin), barriers(sector.origin), objects(sector.origin),
       backdrops(sector.origin);
   FaceList& floor = detail == Detail::far ? houses : ground;
-  floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+  if (detail != Detail::tall)
+    floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
   add_facades(houses, index, sector, detail);
-  add_houses(houses, index, sector);
+  add_houses(houses, index, sector, detail);
   if (detail == Detail::near) {
     add_barriers(barriers, index, sector);
     add_objects(objects, index, sector);

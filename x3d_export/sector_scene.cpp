@@ -18,7 +18,9 @@ struct SectorParts {
   SceneFormat format;
   std::vector<Layer> layers;
 
-  std::string stem() const { return sector.id + (detail == Detail::far ? ".far" : ""); }
+  std::string stem() const {
+    return sector.id + (detail == Detail::far ? ".far" : detail == Detail::tall ? ".tall" : "");
+  }
   std::string place() const { return sector.name.empty() ? std::string(name_of(sector.kind)) : sector.name; }
 };
 
@@ -120,6 +122,7 @@ Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& pla
 std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
                                      std::size_t limit) {
   const SectorParts parts{index, sector, detail, format, sector_layers(index, sector, detail)};
+  if (detail == Detail::tall && parts.layers.empty()) return {};
   std::vector<ExportFile> files = write_parts(parts, 1);
   const std::size_t whole = files.front().text.size();
   if (whole <= limit) return files;

@@ -6,7 +6,7 @@
 #include "x3d_export/sector_mesh.hpp"
 #include "x3d_export/writers.hpp"
 
-/// A sector as files (DESIGN §10): sectors/ID.x3d, .wrl, .x3dj, ID.far.x3d.
+/// A sector as files (DESIGN §10): sectors/ID.x3d, .wrl, .x3dj, ID.far.x3d, ID.tall.x3d.
 namespace vicus {
 
 struct ExportFile {
@@ -20,6 +20,7 @@ struct ExportFile {
 inline constexpr std::size_t kFileLimit_bytes = 100'000;
 
 /// The main file first, then the parts that it draws in by Inline, where one file would be larger than `limit`.
+/// No file where the detail has nothing to draw (tall).
 /// Each file is smaller than `limit`, but the main one where the record alone is larger.
 std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
                                      std::size_t limit = kFileLimit_bytes);

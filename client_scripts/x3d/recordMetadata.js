@@ -24,7 +24,7 @@ export function recordFromMetadata(set) {
     return record;
 }
 
-const kLists = ['names', 'visible', 'origin', 'box', 'ground', 'ground_counts', 'line'];
+const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line'];
 
 function leavesOf(set) {
     const record = {};

@@ -8,7 +8,8 @@ namespace {
 auto fields(const LatLon& p) { return std::tie(p.lat_deg, p.lon_deg); }
 auto fields(const Polygon& p) { return std::tie(p.outer, p.holes); }
 auto fields(const Sector& s) {
-  return std::tie(s.id, s.kind, s.name, s.names, s.ground, s.ground_triangles, s.origin, s.bytes);
+  return std::tie(s.id, s.kind, s.name, s.names, s.ground, s.ground_triangles, s.origin, s.bytes, s.importance,
+                  s.vicinity_m);
 }
 auto fields(const Gate& g) { return std::tie(g.id, g.sector_id, g.to_sector_id, g.twin_id, g.kind, g.line); }
 auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kind, b.height_m, b.line); }
@@ -23,7 +24,10 @@ auto fields(const Street& s) {
 }
 auto fields(const StandaloneObject& o) { return std::tie(o.id, o.sector_id, o.kind, o.name, o.at, o.height_m, o.tags); }
 auto fields(const Viewpoint& v) { return std::tie(v.id, v.sector_id, v.kind, v.name, v.at, v.eye_m, v.heading_deg); }
-auto fields(const Visible& v) { return std::tie(v.sector_id, v.visible_sector_id, v.reason); }
+auto fields(const Visible& v) {
+  return std::tie(v.sector_id, v.visible_sector_id, v.reason, v.is_proven, v.building_ids);
+}
+auto fields(const Terrain& t) { return std::tie(t.corner, t.step_mm, t.columns, t.rows, t.height_mm); }
 auto fields(const Artefact& a) { return std::tie(a.path, a.media_type, a.coding, a.hash, a.body); }
 auto fields(const Issue& i) { return std::tie(i.code, i.message, i.source_id, i.at); }
 
@@ -41,6 +45,7 @@ bool operator==(const Street& a, const Street& b) { return fields(a) == fields(b
 bool operator==(const StandaloneObject& a, const StandaloneObject& b) { return fields(a) == fields(b); }
 bool operator==(const Viewpoint& a, const Viewpoint& b) { return fields(a) == fields(b); }
 bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
+bool operator==(const Terrain& a, const Terrain& b) { return fields(a) == fields(b); }
 bool operator==(const Artefact& a, const Artefact& b) { return fields(a) == fields(b); }
 bool operator==(const Issue& a, const Issue& b) { return fields(a) == fields(b); }
 
@@ -64,6 +69,7 @@ void compare(const char* name, const std::vector<Record>& a, const std::vector<R
 std::string difference(const City& a, const City& b) {
   if (!(a.origin == b.origin)) return "origin";
   if (a.meta != b.meta) return "meta";
+  if (!(a.terrain == b.terrain)) return "terrain";
   std::string found;
   compare("sectors", a.sectors, b.sectors, found);
   compare("gates", a.gates, b.gates, found);

@@ -18,6 +18,7 @@ bool operator==(const Street& a, const Street& b);
 bool operator==(const StandaloneObject& a, const StandaloneObject& b);
 bool operator==(const Viewpoint& a, const Viewpoint& b);
 bool operator==(const Visible& a, const Visible& b);
+bool operator==(const Terrain& a, const Terrain& b);
 bool operator==(const Artefact& a, const Artefact& b);
 bool operator==(const Issue& a, const Issue& b);
 

@@ -252,19 +252,32 @@ void add_things(City& city) {
       {IssueCode::no_height, "no height: guessed from the neighbours", "way/1001", at(-46, 12)}};
 }
 
+void add_terrain(City& city) {
+  city.terrain = {at(-60, -40), 40'000, 4, 3, {0, 250, 500, -125, 1000, 1250, 1500, 875, 2000, 2250, 2500, 1875}};
+}
+
+void mark_important(City& city) {
+  for (auto& sector : city.sectors) {
+    if (sector.id == "s-cross") sector.importance = Importance::author, sector.vicinity_m = 60.5;
+    if (sector.id == "s-yard") sector.importance = Importance::proposed, sector.vicinity_m = 150;
+  }
+}
+
 void add_visible(City& city) {
   std::set<std::pair<std::string, std::string>> seen;
-  const auto add = [&](const std::string& from, const std::string& to, const char* reason) {
-    if (seen.insert({from, to}).second) city.visible.push_back({from, to, reason});
+  const auto add = [&](const std::string& from, const std::string& to, VisibleReason reason) {
+    if (seen.insert({from, to}).second) city.visible.push_back({from, to, reason, true, {}});
   };
-  for (const auto& sector : city.sectors) add(sector.id, sector.id, "self");
+  for (const auto& sector : city.sectors) add(sector.id, sector.id, VisibleReason::self);
   for (const auto& gate : city.gates)
-    if (!gate.to_sector_id.empty()) add(gate.sector_id, gate.to_sector_id, "gate");
+    if (!gate.to_sector_id.empty()) add(gate.sector_id, gate.to_sector_id, VisibleReason::gate);
   for (const auto& [a, b] : {std::pair{"s-main-w", "s-main-e"}, {"s-north", "s-south"}}) {
-    add(a, b, "line_of_sight");
-    add(b, a, "line_of_sight");
+    add(a, b, VisibleReason::line_of_sight);
+    add(b, a, VisibleReason::line_of_sight);
   }
-  add("s-yard", "s-main-w", "over_roofs");
+  add("s-yard", "s-cross", VisibleReason::important);
+  city.visible.push_back({"s-yard", "s-main-w", VisibleReason::over_roofs, true, {"b-10"}});
+  city.visible.push_back({"s-yard", "s-north", VisibleReason::over_roofs, false, {"b-2"}});
   std::sort(city.visible.begin(), city.visible.end(), [](const Visible& a, const Visible& b) {
     return std::pair(a.sector_id, a.visible_sector_id) < std::pair(b.sector_id, b.visible_sector_id);
   });
@@ -284,7 +297,9 @@ City sample_city() {
   add_side_walls(city);
   add_obstacles(city);
   add_things(city);
+  mark_important(city);
   add_visible(city);
+  add_terrain(city);
   return city;
 }
 

@@ -63,7 +63,7 @@ TEST(FormatMd, NamesEveryTableColumnAndMetaKey) {
   write_city(path, test::sample_city(), nullptr);
   const std::string text = format_md();
   const auto tables = query(path, "SELECT table_name FROM gpkg_contents");
-  EXPECT_EQ(tables.size(), 14u);
+  EXPECT_EQ(tables.size(), 15u);
   for (const auto& table : tables) {
     EXPECT_NE(text.find(table[0]), std::string::npos) << table[0];
     if (table[0] == "layer_styles") continue;
@@ -101,6 +101,8 @@ TEST(FormatMd, ListsEveryKind) {
   expect_all(BorderKind{});
   expect_all(ObstacleKind{});
   expect_all(HeightSource{});
+  expect_all(VisibleReason{});
+  expect_all(Importance{});
 }
 
 TEST(GeoPackage, HasWhatTheStandardRequires) {
@@ -158,7 +160,7 @@ TEST(GeoPackage, IsReadByOgrinfoWithoutAWord) {
       {"sector", "Polygon"},   {"gate", "Line String"},    {"border", "Line String"}, {"building", "Polygon"},
       {"obstacle", "Polygon"}, {"domain", "Polygon"},      {"street", "Line String"}, {"object", "Point"},
       {"viewpoint", "Point"},  {"issue", "Unknown (any)"}, {"meta", "None"},          {"visible", "None"},
-      {"artefact", "None"}};
+      {"terrain", "None"},     {"artefact", "None"}};
   for (const auto& [layer, geometry] : layers) {
     const auto begin = summary.find(std::string("Layer name: ") + layer + "\n");
     ASSERT_NE(begin, std::string::npos) << layer;

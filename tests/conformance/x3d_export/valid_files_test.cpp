@@ -33,7 +33,8 @@ class WrittenCity {
         const std::size_t limit = s.id == "s-yard" ? 2500 : kFileLimit_bytes;
         for (const auto& file : sector_files(index_, s, Detail::near, format, limit)) add(file.path, file.text);
         if (format != SceneFormat::x3d) continue;
-        for (const auto& file : sector_files(index_, s, Detail::far, format)) add(file.path, file.text);
+        for (const auto detail : {Detail::far, Detail::tall})
+          for (const auto& file : sector_files(index_, s, detail, format)) add(file.path, file.text);
       }
       RootOptions options;
       options.format = format;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "city_db/rules.hpp"
 #include "tests/support/sample_city.hpp"
@@ -108,6 +109,7 @@ TEST(RulesPartition, BreaksWhereTwoSectorsShareGround) {
   twice.id = "s-yard-again";
   std::rotate(twice.ground.outer.begin(), twice.ground.outer.begin() + 1, twice.ground.outer.end());
   city.sectors.push_back(twice);
+  city.visible.push_back({twice.id, twice.id, VisibleReason::self, true, {}});
   EXPECT_EQ(broken_rules(city), "partition edges connected");
   EXPECT_EQ(check_rules(city).area_error_mm2, 40e3 * 14e3);
 }
@@ -358,6 +360,59 @@ TEST(RulesIdentity, BreakByASectorIdThatIsNoUrlName) {
   for (auto& v : city.viewpoints) rename(v.sector_id);
   for (auto& v : city.visible) rename(v.sector_id), rename(v.visible_sector_id);
   EXPECT_EQ(broken_rules(city), "identity");
+}
+
+/// What rule 7 says of the sample city after a change; one line per violation.
+std::string identity_faults(const std::function<void(City&)>& change) {
+  City city = sample_city();
+  change(city);
+  std::string text;
+  for (const auto& v : check_rules(city).violations)
+    if (v.rule == Rule::identity) text += v.id + ": " + v.message + "\n";
+  return text;
+}
+
+Visible& row_of(City& city, const std::string& from, const std::string& to) {
+  return *std::find_if(city.visible.begin(), city.visible.end(),
+                       [&](const Visible& v) { return v.sector_id == from && v.visible_sector_id == to; });
+}
+
+TEST(RulesVisible, BreakWhereAListIsNotWhole) {
+  const auto without = [](const std::string& from, const std::string& to) {
+    return identity_faults(
+        [&](City& c) { c.visible.erase(c.visible.begin() + (&row_of(c, from, to) - &c.visible[0])); });
+  };
+  EXPECT_EQ(without("s-yard", "s-yard"), "s-yard: its L_vis lacks the sector itself\n");
+  EXPECT_EQ(without("s-yard", "s-passage"),
+            "s-yard: its L_vis lacks \"s-passage\", which lies behind its gate s-yard-to-s-passage\n");
+  EXPECT_EQ(without("s-main-e", "s-main-w"), "s-main-w: it sees \"s-main-e\" along a line that does not lead back\n");
+  EXPECT_EQ(without("s-yard", "s-cross"), "") << "important";
+  EXPECT_EQ(without("s-yard", "s-north"), "") << "over roofs";
+}
+
+TEST(RulesVisible, BreakByRowsThatCannotBe) {
+  const auto after = [](const char* from, const char* to, const std::function<void(Visible&)>& change) {
+    return identity_faults([&](City& c) { change(row_of(c, from, to)); });
+  };
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(
+      has(after("s-yard", "s-north", [](Visible& v) { v.visible_sector_id = "nowhere"; }), "\"nowhere\": one of"));
+  EXPECT_TRUE(has(after("s-yard", "s-north", [](Visible& v) { v.building_ids = {"b-99"}; }), "house \"b-99\""));
+  EXPECT_TRUE(has(after("s-yard", "s-north", [](Visible& v) { v.building_ids = {"b-2", "b-10"}; }), "not sorted"));
+  EXPECT_TRUE(has(after("s-yard", "s-north", [](Visible& v) { v.building_ids = {"b-2", "b-2"}; }), "there twice"));
+  EXPECT_TRUE(has(after("s-yard", "s-north", [](Visible& v) { v.reason = VisibleReason::self; }), "\"self\" and"));
+  EXPECT_TRUE(has(after("s-yard", "s-yard", [](Visible& v) { v.reason = VisibleReason::gate; }), "\"self\" and"));
+  EXPECT_TRUE(has(after("s-yard", "s-passage", [](Visible& v) { v.is_proven = false; }), "stay unproven"));
+  EXPECT_TRUE(has(after("s-yard", "s-cross", [](Visible& v) { v.building_ids = {"b-2"}; }), "only over roofs are"));
+}
+
+TEST(RulesVisible, HoldBeforeAnythingIsComputed) {
+  EXPECT_EQ(identity_faults([](City& c) { c.visible.clear(); }), "");
+  EXPECT_EQ(identity_faults([](City& c) {
+              std::erase_if(c.visible, [](const Visible& v) { return v.reason != VisibleReason::important; });
+              ASSERT_EQ(c.visible.size(), 1u);
+            }),
+            "");
 }
 
 TEST(RulesReport, CountsAllButListsFew) {

@@ -78,7 +78,7 @@ TEST(ReadCity, NamesAGeoPackageThatIsNoCity) {
   run_sql(path, "PRAGMA application_id=0x47504B47; CREATE TABLE roads(fid INTEGER PRIMARY KEY)");
   EXPECT_SAYS(refusal(path), "is a GeoPackage but no Vicus city: expected a table meta");
   run_sql(path, "CREATE TABLE meta(key, value)");
-  EXPECT_SAYS(refusal(path), "expected format_version 1 in its table meta, found none");
+  EXPECT_SAYS(refusal(path), "expected format_version 2 in its table meta, found none");
   run_sql(path, "INSERT INTO meta VALUES('format_version', '1x')");
   EXPECT_SAYS(refusal(path), "found 1x");
 }
@@ -87,10 +87,10 @@ TEST(ReadCity, RefusesOtherVersionsByName) {
   ScratchDirectory scratch;
   const fs::path path = scratch / "city.gpkg";
   write_city(path, test::sample_city(), nullptr);
-  run_sql(path, "UPDATE meta SET value = '2' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 1, found 2");
-  run_sql(path, "UPDATE meta SET value = '0' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "older vicus: expected format version 1, found 0; build the city again");
+  run_sql(path, "UPDATE meta SET value = '3' WHERE key = 'format_version'");
+  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 2, found 3");
+  run_sql(path, "UPDATE meta SET value = '1' WHERE key = 'format_version'");
+  EXPECT_SAYS(refusal(path), "older vicus: expected format version 2, found 1; build the city again");
 }
 
 TEST(ReadCity, RefusesTablesThatAreNotOurs) {
@@ -99,7 +99,7 @@ TEST(ReadCity, RefusesTablesThatAreNotOurs) {
   const std::pair<const char*, const char*> cases[] = {
       {"DROP TABLE visible", "no table visible"},
       {"ALTER TABLE visible RENAME TO v; CREATE VIEW visible AS SELECT * FROM v", "no table visible"},
-      {"DROP TABLE meta; CREATE VIEW meta AS SELECT 'format_version' AS key, '1' AS value", "expected a table meta"},
+      {"DROP TABLE meta; CREATE VIEW meta AS SELECT 'format_version' AS key, '2' AS value", "expected a table meta"},
       {"DROP TABLE visible; CREATE VIRTUAL TABLE visible USING rtree(fid, sector_id, visible_sector_id)",
        "no table visible"},
       {"ALTER TABLE visible DROP COLUMN reason", "no such column: t.reason"}};
@@ -131,9 +131,25 @@ TEST(ReadCity, RefusesDamagedRecords) {
        "a side wall outside the lattice"},
       {"UPDATE building SET height_m = 9e999 WHERE fid = 1", "a number that is not finite"},
       {"UPDATE sector SET origin_east_m = 2e6 WHERE fid = 1", "a coordinate outside the lattice"},
+      {"UPDATE sector SET importance = 'great' WHERE fid = 1", "unknown kind 'great'"},
+      {"UPDATE sector SET vicinity_m = -1 WHERE fid = 1", "a vicinity below 0"},
+      {"UPDATE visible SET reason = 'rumour' WHERE fid = 1", "unknown kind 'rumour'"},
+      {"UPDATE visible SET building_ids = '{}' WHERE fid = 1", "building ids are no JSON array"},
+      {"UPDATE terrain SET heights = substr(heights, 1, 47)", "other than columns x rows heights"},
+      {"UPDATE terrain SET columns = 4294967300", "a terrain that does not fit"},
+      {"UPDATE terrain SET rows = 0", "a terrain that does not fit"},
+      {"UPDATE terrain SET columns = -4, rows = -3", "a terrain that does not fit"},
+      {"UPDATE terrain SET step_m = 0", "a terrain that does not fit"},
+      {"UPDATE terrain SET step_m = 5e5", "a terrain that does not fit"},
+      {"UPDATE terrain SET corner_north_m = 1.0737e6", "a terrain that does not fit"},
+      {"UPDATE terrain SET columns = 12, rows = 2", "other than columns x rows heights"},
+      {"DELETE FROM terrain", "table terrain has 0 rows, meta says 1"},
+      {"INSERT INTO terrain SELECT 2, corner_east_m, corner_north_m, step_m, columns, rows, heights FROM terrain;"
+       "UPDATE meta SET value = '2' WHERE key = 'count_terrain'",
+       "two terrains"},
       {"UPDATE issue SET code = 999 WHERE fid = 1", "unknown issue code 999"},
       {"UPDATE issue SET code = 4294967498 WHERE fid = 1", "unknown issue code"},
-      {"DELETE FROM visible WHERE fid = 3", "table visible has 23 rows, meta says 24"},
+      {"DELETE FROM visible WHERE fid = 3", "table visible has 25 rows, meta says 26"},
       {"DELETE FROM meta WHERE key = 'count_gate'", "table gate has 15 rows, meta says no count"},
       {"UPDATE meta SET value = '90.5' WHERE key = 'origin_lat'", "meta origin_lat is no angle"},
       {"UPDATE meta SET value = 'nan' WHERE key = 'origin_lon'", "meta origin_lon is no angle"},
@@ -168,6 +184,9 @@ bool reads_all(const fs::path& path) {
     for (const auto& id : reader.sector_ids()) {
       reader.sector(id);
       reader.gates_of(id);
+      reader.borders_of(id);
+      reader.buildings_of(id);
+      reader.objects_of(id);
       reader.viewpoints_of(id);
       reader.visible_from(id);
     }

@@ -71,6 +71,10 @@ TEST(CityReader, AnswersByKey) {
     EXPECT_EQ(reader.sector("nowhere"), std::nullopt);
     EXPECT_EQ(reader.gates_of("s-cross").size(), 4u);
     EXPECT_EQ(reader.gates_of("s-cross")[0], city.gates[0]);
+    EXPECT_EQ(reader.buildings_of("s-yard"), std::vector<Building>{city.buildings[7]});
+    EXPECT_EQ(reader.objects_of("s-yard"), std::vector<StandaloneObject>{city.objects[1]});
+    EXPECT_EQ(reader.borders_of("s-passage").size(), 2u);
+    EXPECT_EQ(reader.borders_of("nowhere").size(), 0u);
     EXPECT_EQ(reader.viewpoints_of("s-yard"), std::vector<Viewpoint>{city.viewpoints[6]});
     EXPECT_EQ(reader.visible_from("s-passage").size(), 3u);
     EXPECT_EQ(reader.artefact("/city.x3d", {"br", "identity"}), artefacts[1]);
@@ -82,7 +86,7 @@ TEST(CityReader, AnswersByKey) {
     EXPECT_EQ(reader.artefact_codings("/city.x3d")[0].coding, "br");
     EXPECT_EQ(reader.artefact_codings("/city.x3d")[0].body, "");
     EXPECT_EQ(reader.meta("licences"), "drawn by hand, CC0 1.0");
-    EXPECT_EQ(reader.meta("format_version"), "1");
+    EXPECT_EQ(reader.meta("format_version"), "2");
     EXPECT_EQ(reader.meta("nothing"), std::nullopt);
   }
 }

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "city_db/issues.hpp"
 #include "tests/unit/httpd/served_city.hpp"
+#include "x3d_export/sector_scene.hpp"
 
 namespace vicus {
 namespace {
@@ -41,6 +44,77 @@ TEST_F(RoutesOfSampleCity, GiveEverySectorInEveryFormat) {
       EXPECT_EQ(field(response, "Content-Type"), media_type);
       EXPECT_FALSE(response.body->empty());
     }
+}
+
+/// Every file of a sector as the exporter writes it, by name.
+std::map<std::string, std::string> files_of(const CityIndex& index, const Sector& sector) {
+  std::map<std::string, std::string> files;
+  int shapes = 0;
+  for (const auto format : {SceneFormat::x3d, SceneFormat::vrml, SceneFormat::x3dj})
+    for (const auto& file : sector_files(index, sector, Detail::near, format)) {
+      files["/" + file.path] = file.text;
+      if (format == SceneFormat::x3d) shapes += file.shapes;
+    }
+  for (const auto detail : {Detail::far, Detail::tall})
+    for (const auto& file : sector_files(index, sector, detail, SceneFormat::x3d)) files["/" + file.path] = file.text;
+  files["/sectors/" + sector.id + ".json"] = record_json(sector_record(source_of(index), sector, shapes));
+  return files;
+}
+
+TEST_F(RoutesOfSampleCity, GiveTheBytesOfTheExporterInEveryCodingStoredOrNot) {
+  const City city = test::sample_city();
+  const CityIndex index(city);
+  std::set<std::string> tags;
+  std::size_t count = 0;
+  for (const auto& sector : city.sectors)
+    for (const auto& [target, text] : files_of(index, sector)) {
+      SCOPED_TRACE(target);
+      for (const char* coding : {"identity", "gzip", "br"}) {
+        const auto response = get(target, {{"Accept-Encoding", std::string(coding) + ", identity;q=0.1"}});
+        ASSERT_EQ(response.status, 200);
+        ASSERT_EQ(field(response, "Content-Encoding"), coding == std::string("identity") ? "(none)" : coding);
+        EXPECT_EQ(*response.body, coding == std::string("br")     ? brotli(text, 4)
+                                  : coding == std::string("gzip") ? gzip(text, 6)
+                                                                  : text);
+        const auto etag = field(response, "ETag");
+        EXPECT_TRUE(tags.insert(etag).second) << etag;
+        const HttpFields again = {{"Accept-Encoding", coding}, {"If-None-Match", etag}};
+        EXPECT_EQ(get(target, again).status, 304);
+        EXPECT_EQ(field(get(target, {{"Accept-Encoding", coding}}, "HEAD"), "ETag"), etag);
+        ++count;
+      }
+    }
+  EXPECT_EQ(count, 3 * (5 * city.sectors.size() + 2));
+}
+
+TEST_F(RoutesOfSampleCity, HaveTallFilesWhereHousesAreSeenOverRoofsOnly) {
+  EXPECT_EQ(get("/sectors/s-main-w.tall.x3d").status, 200);
+  EXPECT_EQ(get("/sectors/s-cross.tall.x3d").status, 404);
+  const auto listed = detail(get("/sectors/s-main-w.nix"));
+  EXPECT_NE(listed.find(" /sectors/s-main-w.tall.x3d /sectors/s-main-w.wrl"), std::string::npos) << listed;
+  EXPECT_EQ(detail(get("/sectors/s-cross.nix")).find("tall"), std::string::npos);
+  for (const char* none : {"s-cross.far.wrl", "s-cross.1.wrl", "s-cross.x.x3dj", "nowhere.wrl", "s-cross.glb"})
+    EXPECT_EQ(get(std::string("/sectors/") + none).status, 404) << none;
+}
+
+TEST(Routes, RefuseStoredBytesThatUnpackToNothingOrTooMuch) {
+  test::ScratchDirectory scratch;
+  std::string bomb = brotli(std::string(65 << 20, '\0'), 5);
+  write_city(scratch / "city.gpkg", test::sample_city(),
+             test::one_by_one({{"bomb", "model/x3d+xml", "br", "h1", bomb},
+                               {"junk", "model/x3d+xml", "br", "h2", "junk"},
+                               {"gz", "model/x3d+xml", "gzip", "h3", gzip("plain", 6)}}));
+  Routes routes(scratch / "city.gpkg", std::make_shared<const StaticFiles>(""), std::make_shared<Metrics>());
+  for (const char* path : {"/bomb", "/junk"}) {
+    EXPECT_EQ(routes.respond({"GET", path, {{"Accept-Encoding", "br"}}}).status, 200) << path;
+    for (const char* coding : {"identity", "gzip"}) {
+      const auto response = routes.respond({"GET", path, {{"Accept-Encoding", coding}}});
+      EXPECT_EQ(response.status, 500) << path;
+      EXPECT_NE(response.fault.find(std::string(path + 1) + " is damaged"), std::string::npos) << response.fault;
+    }
+  }
+  EXPECT_EQ(routes.respond({"GET", "/gz", {{"Accept-Encoding", "gzip"}}}).status, 200);
+  EXPECT_EQ(routes.respond({"GET", "/gz", {{"Accept-Encoding", "identity"}}}).status, 406);
 }
 
 TEST_F(RoutesOfSampleCity, ChooseTheStoredCodingAndTagEachOne) {

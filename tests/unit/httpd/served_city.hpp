@@ -5,6 +5,7 @@
 #include "httpd/routes.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
+#include "x3d_export/coding.hpp"
 #include "x3d_export/package.hpp"
 
 /// The sample city in a file, with its artefacts, and routes over it.

@@ -1,37 +1,14 @@
 #include "x3d_export/package.hpp"
 
-#include <brotli/decode.h>
 #include <gtest/gtest.h>
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "tests/support/sample_city.hpp"
+#include "x3d_export/coding.hpp"
 
 namespace vicus {
 namespace {
-
-std::string unbrotli(const std::string& coded, std::size_t size) {
-  std::string out(size, '\0');
-  EXPECT_EQ(BrotliDecoderDecompress(coded.size(), reinterpret_cast<const std::uint8_t*>(coded.data()), &size,
-                                    reinterpret_cast<std::uint8_t*>(out.data())),
-            BROTLI_DECODER_RESULT_SUCCESS);
-  EXPECT_EQ(size, out.size());
-  return out;
-}
-
-std::string gunzip(const std::string& coded, std::size_t size) {
-  std::string out(size, '\0');
-  libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
-  std::size_t got = 0;
-  EXPECT_EQ(libdeflate_gzip_decompress(decompressor, coded.data(), coded.size(), out.data(), out.size(), &got),
-            LIBDEFLATE_SUCCESS);
-  libdeflate_free_decompressor(decompressor);
-  EXPECT_EQ(got, size);
-  return out;
-}
 
 std::vector<Artefact> all_artefacts(City& city, unsigned threads) {
   PackageOptions options;
@@ -43,35 +20,24 @@ std::vector<Artefact> all_artefacts(City& city, unsigned threads) {
   return list;
 }
 
-TEST(StrongHash, IsTheFirstHalfOfSha256) {
-  EXPECT_EQ(strong_hash("abc"), "ba7816bf8f01cfea414140de5dae2223");
-  EXPECT_EQ(strong_hash(""), "e3b0c44298fc1c149afbf4c8996fb924");
+TEST(Stored, IsBrotliWithTheHashOfItsOwnBytes) {
+  const std::string body(4000, 'x');
+  const auto row = stored("sectors/a.x3d", "model/x3d+xml", body, 9);
+  EXPECT_EQ(row.path, "sectors/a.x3d");
+  EXPECT_EQ(row.media_type, "model/x3d+xml");
+  EXPECT_EQ(row.coding, "br");
+  EXPECT_EQ(row.hash, strong_hash(row.body));
+  EXPECT_EQ(unbrotli(row.body, 4000), body);
 }
 
-TEST(Coded, GivesTheBodyBackInEveryCoding) {
-  std::string body;
-  for (int i = 0; i < 4000; ++i) body += std::to_string(i * i % 997) + ' ';
-  const auto rows = coded("sectors/a.x3d", "model/x3d+xml", body, 9, 6);
-  ASSERT_EQ(rows.size(), 3u);
-  std::set<std::string> hashes;
-  for (const auto& row : rows) {
-    EXPECT_EQ(row.hash, strong_hash(row.body));
-    hashes.insert(row.hash);
-    const std::string decoded = row.coding == "br"     ? unbrotli(row.body, body.size())
-                                : row.coding == "gzip" ? gunzip(row.body, body.size())
-                                                       : row.body;
-    EXPECT_EQ(decoded, body) << row.coding;
-  }
-  EXPECT_EQ(hashes.size(), 3u);
+TEST(Stored, IsTheBodyItselfWhereBrotliSavesNothing) {
+  const auto row = stored("a", "text/plain", "x", 9);
+  EXPECT_EQ(row.coding, "identity");
+  EXPECT_EQ(row.body, "x");
+  EXPECT_EQ(row.hash, strong_hash("x"));
 }
 
-TEST(Coded, LeavesOutACodingThatSavesNothing) {
-  const auto rows = coded("a", "text/plain", "x", 9, 6);
-  ASSERT_EQ(rows.size(), 1u);
-  EXPECT_EQ(rows.front().coding, "identity");
-}
-
-TEST(ExportArtefacts, YieldsEveryFormOfEverySectorAndFillsItsBytes) {
+TEST(ExportArtefacts, YieldEachStoredFormOfEverySectorOnceAndFillItsBytes) {
   City city = test::sample_city();
   for (auto& s : city.sectors) s.bytes = 0;
   city.meta.erase("start");
@@ -79,11 +45,14 @@ TEST(ExportArtefacts, YieldsEveryFormOfEverySectorAndFillsItsBytes) {
   std::map<std::string, std::map<std::string, std::size_t>> sizes;
   for (const auto& a : list) sizes[a.path][a.coding] = a.body.size();
   for (const auto& s : city.sectors) {
-    for (const char* suffix : {".x3d", ".far.x3d", ".wrl", ".x3dj", ".json"})
+    for (const char* suffix : {".x3d", ".far.x3d", ".json"})
       EXPECT_TRUE(sizes.contains("sectors/" + s.id + suffix)) << s.id << suffix;
     EXPECT_GT(s.bytes, 0u);
     EXPECT_EQ(s.bytes, sizes["sectors/" + s.id + ".x3d"]["br"]);
+    EXPECT_EQ(sizes.contains("sectors/" + s.id + ".tall.x3d"), s.id == "s-main-w" || s.id == "s-north") << s.id;
   }
+  EXPECT_EQ(sizes.size(), 3 * city.sectors.size() + 2);
+  for (const auto& [path, codings] : sizes) EXPECT_EQ(codings.size(), 1u) << path;
   EXPECT_FALSE(city.meta["start"].empty());
 }
 

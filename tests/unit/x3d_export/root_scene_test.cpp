@@ -98,6 +98,19 @@ TEST(RootScene, IsStaticWithoutScriptWhenAsked) {
   EXPECT_EQ(attributes_in(sample.text(options), "Inline", "url").size(), 1u);
 }
 
+TEST(RootScene, TakesTallHousesOfWhatIsSeenOverRoofsOnly) {
+  const Sample sample;
+  RootOptions options;
+  options.start = "s-yard";
+  options.is_static = true;
+  using Urls = std::vector<std::string>;
+  EXPECT_EQ(attributes_in(sample.text(options), "Inline", "url"),
+            (Urls{"\"sectors/s-yard.x3d\"", "\"sectors/s-cross.x3d\"", "\"sectors/s-main-w.tall.x3d\"",
+                  "\"sectors/s-north.tall.x3d\"", "\"sectors/s-passage.x3d\""}));
+  options.level = 2;  // s-cross leads to both, so they come whole
+  EXPECT_EQ(sample.text(options).find("tall"), std::string::npos);
+}
+
 TEST(RootScene, BoundsHoldAllThatASectorFileDraws) {
   const Sample sample;
   RootOptions options;

@@ -210,6 +210,7 @@ TEST(SectorFiles, CarryTheSameRecordAsTheJsonFile) {
     EXPECT_EQ(carried["box"], json["box"]);
     EXPECT_EQ(carried["shapes"][0], json["shapes"]);
     EXPECT_EQ(carried["visible"], json["visible"]);
+    EXPECT_EQ(carried.value("over_roofs", nlohmann::json::array()), json["over_roofs"]);
     ASSERT_EQ(carried["gate"].size(), json["gates"].size());
     for (std::size_t i = 0; i < json["gates"].size(); ++i) {
       EXPECT_EQ(carried["gate"][i].contains("to"), !json["gates"][i]["to"].is_null());
@@ -233,6 +234,31 @@ TEST(SectorFiles, HoldTheRecordInAnAnchorInVrml97) {
   EXPECT_EQ(nlohmann::json::parse(json).at("name"), test::kAwkwardName);
 }
 
+TEST(SectorRecord, TellsWhyEachSectorIsListed) {
+  const Sample sample;
+  const auto json =
+      nlohmann::json::parse(record_json(sector_record(source_of(sample.index), *sample.index.sector("s-yard"), 1)));
+  EXPECT_EQ(json["visible"], (nlohmann::json{"s-cross", "s-main-w", "s-north", "s-passage", "s-yard"}));
+  EXPECT_EQ(json["over_roofs"], (nlohmann::json{"s-main-w", "s-north"}));
+  EXPECT_EQ(json["unresolved"], nlohmann::json::array({"s-north"}));
+  EXPECT_EQ(json["visible_reasons"], (nlohmann::json{{"s-cross", "important"},
+                                                     {"s-main-w", "over_roofs"},
+                                                     {"s-north", "over_roofs"},
+                                                     {"s-passage", "gate"},
+                                                     {"s-yard", "self"}}));
+  std::vector<std::string> boxes;
+  for (const auto& n : json["neighbours"]) boxes.push_back(n["id"]);
+  EXPECT_EQ(boxes, (std::vector<std::string>{"s-cross", "s-main-w", "s-north", "s-passage"}));
+}
+
+TEST(SectorRecord, KeepsGateNeighboursBesideImportantOnes) {
+  Sample sample;
+  std::erase_if(sample.city.visible, [](const Visible& v) { return v.reason != VisibleReason::important; });
+  const CityIndex index(sample.city);
+  const auto record = sector_record(source_of(index), *index.sector("s-yard"), 1);
+  EXPECT_EQ(record.visible, (std::vector<std::string>{"s-cross", "s-passage", "s-yard"}));
+}
+
 TEST(SectorRecord, NamesGateNeighboursWhereNothingIsKnownToBeVisible) {
   Sample sample;
   sample.city.visible.clear();
@@ -242,6 +268,52 @@ TEST(SectorRecord, NamesGateNeighboursWhereNothingIsKnownToBeVisible) {
   ASSERT_EQ(record.neighbours.size(), 2u);
   EXPECT_EQ(record.neighbours[0].id, "s-main-e");
   EXPECT_EQ(record.neighbours[0].origin, index.sector("s-main-e")->origin);
+}
+
+std::vector<ExportFile> tall(const CityIndex& index, const std::string& id) {
+  return sector_files(index, *index.sector(id), Detail::tall, SceneFormat::x3d);
+}
+
+/// Highest and lowest point, and the number of faces, of the only Shape.
+struct Extent {
+  double low_m = 1e9, high_m = -1e9;
+  std::size_t faces = 0;
+};
+Extent extent_of(const std::string& text) {
+  Extent extent;
+  for (const auto& face : faces_in(text)) {
+    ++extent.faces;
+    for (const auto& p : face.corners) {
+      extent.low_m = std::min<double>(extent.low_m, p.y);
+      extent.high_m = std::max<double>(extent.high_m, p.y);
+    }
+  }
+  return extent;
+}
+
+TEST(TallFiles, HoldTheHousesSeenOverRoofsAndNothingElse) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors)
+    EXPECT_EQ(tall(sample.index, s.id).size(), s.id == "s-main-w" || s.id == "s-north" ? 1u : 0u) << s.id;
+  const auto church = tall(sample.index, "s-main-w").front();
+  EXPECT_EQ(church.path, "sectors/s-main-w.tall.x3d");
+  EXPECT_EQ(church.shapes, 1);
+  const Building& b10 = *sample.index.building("b-10");
+  const auto extent = extent_of(church.text);
+  EXPECT_DOUBLE_EQ(extent.high_m, prism_top_m(b10));
+  EXPECT_DOUBLE_EQ(extent.low_m, 0);
+  // Its roof, its side walls and its facade on this street; b-1 stands on the same street and is left out.
+  EXPECT_EQ(extent.faces, b10.roof_triangles.size() / 3 + b10.side_walls.size() + 1);
+  EXPECT_EQ(church.text.find("RECORD"), std::string::npos);
+}
+
+TEST(TallFiles, GrowByEveryRowThatNamesAHouse) {
+  Sample sample;
+  sample.city.visible.push_back({"s-south", "s-main-w", VisibleReason::over_roofs, true, {"b-1", "b-10"}});
+  const CityIndex index(sample.city);
+  EXPECT_EQ(index.tall_houses_of("s-main-w"), (std::set<std::string>{"b-1", "b-10"}));
+  EXPECT_GT(extent_of(tall(index, "s-main-w").front().text).faces,
+            extent_of(tall(sample.index, "s-main-w").front().text).faces);
 }
 
 TEST(SectorFiles, AreTheSameEachTime) {
