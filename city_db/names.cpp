@@ -56,7 +56,8 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::street_too_short, "street_too_short"},
                                           {IssueCode::over_budget, "over_budget"},
                                           {IssueCode::yard_closed, "yard_closed"},
-                                          {IssueCode::not_reached, "not_reached"}};
+                                          {IssueCode::not_reached, "not_reached"},
+                                          {IssueCode::sight_over_budget, "sight_over_budget"}};
 
 template <class E>
 const char* find_name(const Names<E>& names, E value) {

@@ -23,6 +23,7 @@ struct Arguments {
   unsigned budget_kb = 200;
   bool strict = false;
   bool fresh_ids = false;
+  bool no_over_roofs = false;
 };
 
 /// Whole map to sectors, with what each stage cost so far: how the time left is guessed.
@@ -31,8 +32,8 @@ struct Progress {
   explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
-    static const std::map<std::string, double> kDone = {
-        {"read", 0}, {"normalise", 0.2}, {"sectors", 0.4}, {"records", 0.55}, {"export", 0.65}};
+    static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1},  {"sectors", 0.2},
+                                                        {"records", 0.25}, {"visibility", 0.3}, {"export", 0.8}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)
@@ -143,7 +144,8 @@ void run(const Arguments& arguments, Context& context) {
 
   BuildOptions options;
   options.budget_bytes = std::uint64_t{arguments.budget_kb} * 1000;
-  options.threads = arguments.threads;
+  options.threads = options.visible.threads = arguments.threads;
+  options.visible.over_roofs = !arguments.no_over_roofs;
   if (!arguments.important.empty()) options.important = read_author_list(arguments.important, issues);
   options.previous = previous ? &*previous : nullptr;
   options.on_stage = [&](const char* stage) { progress(stage); };
@@ -189,6 +191,8 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--threads", arguments->threads, "0: all cores");
   command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
       ->check(CLI::Range(10u, 100000u));
+  command->add_flag("--no-over-roofs", arguments->no_over_roofs,
+                    "lists of visible sectors on the level only: faster, but towers behind houses are missing");
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
   command->add_flag("--fresh-ids", arguments->fresh_ids, "do not keep the sector ids of the city that is replaced");
   command->callback([arguments, &context] { run(*arguments, context); });

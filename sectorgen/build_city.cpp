@@ -88,7 +88,12 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   const PlanFrame frame(city.origin);
   mark_important(city, {options.important, [&](LatLon p) { return frame.plan_from_latlon(p); }, options.previous},
                  city.issues);
-  add_important(city);
+
+  clock.begin("visibility");
+  if (options.with_visibility) {
+    list_visible(city, options.visible);
+    add_important(city);
+  }
   clock.end();
   return city;
 }

@@ -7,6 +7,7 @@
 #include "city_db/city.hpp"
 #include "sectorgen/geo/source_map.hpp"
 #include "sectorgen/important/author_list.hpp"
+#include "sectorgen/visibility/visible.hpp"
 
 /// The stages that turn a map into a city, in order: start reading here.
 namespace vicus {
@@ -41,8 +42,10 @@ double peak_resident_mb();
 struct BuildOptions {
   std::uint64_t budget_bytes = 200'000;  ///< per sector, as sent
   unsigned threads = 0;                  ///< 0: all cores
-  const City* previous = nullptr;      ///< the city built before, whose sector ids are kept where sectors are the same
-  std::vector<AuthorEntry> important;  ///< a person's list of important sectors
+  const City* previous = nullptr;  ///< the city built before, whose sector ids are kept where sectors are the same
+  bool with_visibility = true;     ///< false: no L_vis
+  VisibleOptions visible;
+  std::vector<AuthorEntry> important;               ///< a person's list of important sectors
   std::function<void(const char* stage)> on_stage;  ///< progress
 };
 

@@ -1,6 +1,9 @@
 #include "sectorgen/visibility/line_of_sight.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "city_db/run_parallel.hpp"
 #include "sectorgen/geom/predicates.hpp"
@@ -38,6 +41,9 @@ struct Bundle {
     return orient(left.front(), right.back(), p);
   }  // < 0: right of it
 
+  /// Only one line is left: the outermost two are the same.
+  bool is_line() const { return beyond_leftmost(right.back()) == 0 && beyond_leftmost(left.front()) == 0; }
+
   /// p is to be on the left of every line from now on.
   void narrow_left(PlanPoint p) {
     while (left.size() >= 2 && orient(left.last_but_one(), left.back(), p) <= 0) left.points.pop_back();
@@ -50,6 +56,28 @@ struct Bundle {
     while (left.size() >= 2 && orient(left.front(), p, left.second()) <= 0) ++left.first;
   }
 };
+
+/// A directed line in lowest terms, so that equal lines are equal.
+struct Line {
+  std::int64_t dx, dy, offset;
+  bool operator==(const Line&) const = default;
+};
+struct LineHash {
+  std::size_t operator()(const Line& l) const {
+    const auto mix = [](std::uint64_t h, std::int64_t v) {
+      return (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ULL;
+    };
+    std::uint64_t h = mix(mix(mix(1, l.dx), l.dy), l.offset);
+    return h ^ (h >> 29);
+  }
+};
+Line line_through(PlanPoint p, PlanPoint q) {
+  std::int64_t dx = std::int64_t{q.x} - p.x, dy = std::int64_t{q.y} - p.y;
+  const std::int64_t divisor = std::gcd(dx, dy);
+  dx /= divisor;
+  dy /= divisor;
+  return {dx, dy, p.x * dy - p.y * dx};
+}
 
 /// A branch to come back to: the side to enter and the chains, kept in the search's store.
 struct Branch {
@@ -67,6 +95,8 @@ class Search {
     found_.clear();
     mark(sector);
     steps_ = 0;
+    lines_.clear();
+    followed_.clear();
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t side = map_.cells[c].beyond[k];
@@ -150,11 +180,35 @@ class Search {
     if (go_right && go_left) keep_branch(to_left, beyond_right > 0, apex);
     if (go_right) {
       if (beyond_left < 0) bundle_.narrow_left(apex);
-      return to_right;
+      return beyond_left < 0 && bundle_.is_line() ? follow_line(bundle_, to_right) : to_right;
     }
     if (!go_left) return kNowhere;
     if (beyond_right > 0) bundle_.narrow_right(apex);
-    return to_left;
+    return beyond_right > 0 && bundle_.is_line() ? follow_line(bundle_, to_left) : to_left;
+  }
+
+  /// One line needs no chains: each cell that it meets once, whichever way round corners it touches. Along fronts in
+  /// line, with niches between, the ways are two to the power of the niches.
+  std::uint32_t follow_line(const Bundle& bundle, std::uint32_t side) {
+    const PlanPoint p = bundle.right.front(), q = bundle.left.back();
+    const auto line = lines_.emplace(line_through(p, q), static_cast<std::uint32_t>(lines_.size())).first->second;
+    const auto is_new = [&](std::uint32_t cell) { return followed_.insert((std::uint64_t{line} << 32) | cell).second; };
+    line_queue_.clear();
+    if (is_new(side >> 2)) line_queue_.push_back(side >> 2);
+    while (!line_queue_.empty()) {
+      const SightCell& cell = map_.cells[line_queue_.back()];
+      line_queue_.pop_back();
+      ++steps_;
+      if (cell.sector != kNowhere) mark(cell.sector);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t beyond = cell.beyond[k];
+        if (beyond == kNowhere || orient(p, q, cell.corner[(k + 1) % 3]) > 0 ||
+            orient(p, q, cell.corner[(k + 2) % 3]) < 0 || !is_new(beyond >> 2))
+          continue;
+        line_queue_.push_back(beyond >> 2);
+      }
+    }
+    return kNowhere;
   }
 
   void keep_branch(std::uint32_t side, bool narrows, PlanPoint apex) {
@@ -165,6 +219,10 @@ class Search {
     if (narrows) {
       Bundle narrowed = bundle_;
       narrowed.narrow_right(apex);
+      if (narrowed.is_line()) {
+        follow_line(narrowed, side);
+        return;
+      }
       keep(narrowed.left);
       branch.right_begin = store_.size();
       keep(narrowed.right);
@@ -194,6 +252,9 @@ class Search {
   Bundle bundle_;
   std::vector<Branch> branches_;
   std::vector<PlanPoint> store_;
+  std::unordered_map<Line, std::uint32_t, LineHash> lines_;
+  std::unordered_set<std::uint64_t> followed_;  // line and cell
+  std::vector<std::uint32_t> line_queue_;
 };
 
 }  // namespace

@@ -15,15 +15,16 @@ City city_of_files(const std::vector<std::filesystem::path>& inputs, const City*
   SourceMap map = load_source_map(load, issues);
   BuildOptions options;
   options.previous = previous;
+  options.with_visibility = false;
   BuildReport report;
   return build_city(std::move(map), options, std::move(issues), report);
 }
 
-City city_of_osm(const std::string& osm) {
+City city_of_osm(const std::string& osm, const City* previous) {
   const ScratchDirectory scratch;
   const auto file = scratch / "town.osm";
   write_bytes(file, osm);
-  return city_of_files({file});
+  return city_of_files({file}, previous);
 }
 
 City random_town_city(std::uint64_t seed) { return city_of_osm(make_random_town(seed)); }

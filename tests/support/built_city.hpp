@@ -6,11 +6,11 @@
 
 #include "sectorgen/build_city.hpp"
 
-/// Cities made by the generator, in memory.
+/// Cities made by the generator, in memory; L_vis is left to those who ask for it.
 namespace vicus::test {
 
 City city_of_files(const std::vector<std::filesystem::path>& inputs, const City* previous = nullptr);
-City city_of_osm(const std::string& osm);
+City city_of_osm(const std::string& osm, const City* previous = nullptr);
 /// make_random_town(seed), built.
 City random_town_city(std::uint64_t seed);
 

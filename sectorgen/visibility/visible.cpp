@@ -1,0 +1,71 @@
+#include "sectorgen/visibility/visible.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "sectorgen/visibility/line_of_sight.hpp"
+#include "sectorgen/visibility/over_roofs.hpp"
+
+namespace vicus {
+namespace {
+
+/// The houses of one visible sector, one after the other in the list.
+Visible row_over_roofs(const City& city, const std::string& from, const RoofSight* first, const RoofSight* last) {
+  Visible row{from, city.sectors[first->sector].id, VisibleReason::over_roofs, false, {}};
+  for (const RoofSight* sight = first; sight != last; ++sight) {
+    row.building_ids.push_back(city.buildings[sight->house].id);
+    row.is_proven = row.is_proven || sight->is_proven;
+  }
+  std::sort(row.building_ids.begin(), row.building_ids.end());
+  return row;
+}
+
+void report_over_budget(City& city, const SightLists& lists, std::uint64_t budget) {
+  for (const std::uint32_t s : lists.over_budget)
+    city.issues.push_back({IssueCode::sight_over_budget,
+                           "sector " + city.sectors[s].id + ": its lines of sight were not followed after " +
+                               std::to_string(budget) + " steps; its list holds everything that could be in sight",
+                           city.sectors[s].id, city.sectors[s].origin});
+}
+
+}  // namespace
+
+void list_visible(City& city, const VisibleOptions& options) {
+  const SightLists level = lines_of_sight(make_sight_map(city), {options.threads, options.step_budget});
+  report_over_budget(city, level, options.step_budget);
+  RoofLists roofs;
+  roofs.visible.resize(city.sectors.size());
+  if (options.over_roofs) {
+    RoofOptions roof_options;
+    roof_options.threads = options.threads;
+    roof_options.least_radius_m = options.least_radius_m;
+    roofs = sights_over_roofs(city, level.visible, roof_options);
+  }
+  std::set<std::pair<std::string, std::string>> gates;
+  for (const auto& gate : city.gates)
+    if (!gate.to_sector_id.empty()) gates.insert({gate.sector_id, gate.to_sector_id});
+
+  city.visible.clear();
+  for (std::uint32_t s = 0; s < city.sectors.size(); ++s) {
+    const std::string& id = city.sectors[s].id;
+    for (const std::uint32_t t : level.visible[s]) {
+      const std::string& other = city.sectors[t].id;
+      const VisibleReason reason = s == t                        ? VisibleReason::self
+                                   : gates.contains({id, other}) ? VisibleReason::gate
+                                                                 : VisibleReason::line_of_sight;
+      city.visible.push_back({id, other, reason, true, {}});
+    }
+    const auto& list = roofs.visible[s];
+    for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
+      for (end = i; end < list.size() && list[end].sector == list[i].sector;) ++end;
+      city.visible.push_back(row_over_roofs(city, id, &list[i], &list[0] + end));
+    }
+  }
+  std::sort(city.visible.begin(), city.visible.end(), [](const Visible& a, const Visible& b) {
+    return std::tie(a.sector_id, a.visible_sector_id) < std::tie(b.sector_id, b.visible_sector_id);
+  });
+}
+
+}  // namespace vicus

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+
+#include "city_db/city.hpp"
+
+/// L_vis of a city (DESIGN §5): both lists, as records.
+namespace vicus {
+
+struct VisibleOptions {
+  unsigned threads = 0;           ///< 0: all cores
+  bool over_roofs = true;         ///< false: on the level only
+  double least_radius_m = 0.125;  ///< how far eyes and walls are told apart over roofs (docs/visibility.md)
+  std::uint64_t step_budget = 40'000'000;
+};
+
+/// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, those whose houses are
+/// seen over roofs. By sector, then visible sector.
+///
+/// Error   a superset of the truth. Raises  404 sight_over_budget where a list is a looser superset.
+/// Needs   sectors with their ids, gates, borders, buildings.
+void list_visible(City& city, const VisibleOptions& options);
+
+}  // namespace vicus
