@@ -131,10 +131,9 @@ std::vector<Sector*> sectors_named(City& city, const std::string& place) {
 
 /// The sector whose ground holds the point; on a common edge the first.
 std::vector<Sector*> sectors_at(City& city, PlanPoint at) {
-  auto found = sectors_where(
-      city, [&](const Sector& s) { return bounds_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside; });
-  if (found.size() > 1) found.resize(1);
-  return found;
+  for (auto& s : city.sectors)
+    if (bounds_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside) return {&s};
+  return {};
 }
 
 }  // namespace
