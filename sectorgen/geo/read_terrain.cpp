@@ -250,7 +250,9 @@ ReadTerrain read_terrain(const std::filesystem::path& path, const PlanFrame& fra
                       std::to_string(read.filled) + " of " + std::to_string(heights.size()) +
                           " nodes of the terrain have no height in the raster and took it from those around",
                       path.filename().string(), hole});
-  read.base_m = static_cast<int>(std::floor(*std::min_element(heights.begin(), heights.end())));
+  // From the rounded height: a mean of equal heights may fall short of them in the last bit.
+  const std::int32_t lowest_mm = lattice_mm(*std::min_element(heights.begin(), heights.end()));
+  read.base_m = static_cast<int>(std::floor(metres(lowest_mm)));
   for (const double h : heights) grid.height_mm.push_back(lattice_mm(h - read.base_m));
   return read;
 }
