@@ -6,7 +6,8 @@
 namespace vicus {
 namespace {
 
-enum Look { kSelf, kGate, kSight, kRoofs, kUnresolved, kImportant, kLooks };
+enum Look { kSelf, kGate, kSight, kRoofs, kUnresolved, kImportant };
+constexpr std::size_t kLooks = 6;
 
 struct Entry {
   const char* what;
@@ -14,7 +15,7 @@ struct Entry {
 };
 constexpr std::array<Entry, kLooks> kEntries = {{{"the sector", "#d42020"},
                                                  {"gate", "#f08c2e"},
-                                                 {"line of sight", "#f6d04d"},
+                                                 {"in sight", "#f6d04d"},
                                                  {"over roofs", "#5b9bd5"},
                                                  {"unresolved", "#b4c9e4"},
                                                  {"important", "#5fb35f"}}};
@@ -47,20 +48,11 @@ LvisLooks::LvisLooks(const City& city, const std::string& id) {
     look_of_.emplace(v.visible_sector_id, look_of(v));
     (v.is_proven ? houses_ : unresolved_houses_).insert(v.building_ids.begin(), v.building_ids.end());
   }
-  std::array<int, kLooks> counts{};
-  for (const auto& [other, look] : look_of_) ++counts[static_cast<std::size_t>(look)];
+  for (const auto& [other, look] : look_of_) ++counts_[static_cast<std::size_t>(look)];
   const auto sector =
       std::find_if(city.sectors.begin(), city.sectors.end(), [&](const Sector& s) { return s.id == id; });
   title_ = "L_vis of " + id;
   if (sector != city.sectors.end() && !sector->name.empty()) title_ += " (" + sector->name + ")";
-  const auto part = [&](const char* separator, int count, const char* what) {
-    title_ += separator + std::to_string(count) + what;
-  };
-  part(": ", counts[kGate], " behind gates");
-  part(", ", counts[kSight], " in line of sight");
-  part(", ", counts[kRoofs] + counts[kUnresolved], " over roofs");
-  if (counts[kUnresolved] > 0) part(" (", counts[kUnresolved], " unresolved)");
-  if (counts[kImportant] > 0) part(", ", counts[kImportant], " important");
 }
 
 const char* LvisLooks::ground_colour(const std::string& id) const {
@@ -73,7 +65,8 @@ const char* LvisLooks::house_colour(const std::string& id) const {
 }
 
 void LvisLooks::draw_legend(SvgPaper& paper) const {
-  for (const auto& [what, colour] : kEntries) paper.legend_box(what, colour);
+  for (std::size_t i = 0; i < kLooks; ++i)
+    paper.legend_box(kEntries[i].what + (i == kSelf ? "" : " " + std::to_string(counts_[i])), kEntries[i].colour);
   paper.legend_box("not listed", kUnlisted);
   paper.legend_box("house seen", kTall);
   paper.legend_box("perhaps seen", kTallUnresolved);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -20,12 +21,13 @@ class LvisLooks {
   const char* house_colour(const std::string& building_id) const;
   bool lists(const std::string& sector_id) const { return look_of_.contains(sector_id); }
   void draw_legend(SvgPaper& paper) const;
-  /// "L_vis of s-yard (Löwenhof): 1 gate, 2 over_roofs (1 unresolved), 1 important".
+  /// "L_vis of s-yard (Löwenhof)"; how many for each reason stands in the legend.
   std::string title() const;
 
  private:
   std::string title_;
   std::map<std::string, int> look_of_;  ///< by sector
+  std::array<int, 6> counts_{};         ///< by look
   std::set<std::string> houses_, unresolved_houses_;
 };
 
