@@ -136,8 +136,8 @@ TEST(MarkImportant, TakesTheNearestSectorOfAPlaceInAHouse) {
   EXPECT_EQ(marked_at({-30'000, -10'000}), "s-main-w:500") << "in the church b-10";
   EXPECT_EQ(marked_at({8'000, 30'000}), "s-north:500") << "in b-6, 3 m from the street and 4 m from the yard";
   EXPECT_EQ(marked_at({31'500, 0}), "s-main-e:500") << "on the island, a hole of its ground";
-  EXPECT_EQ(marked_at({-60'000, 54'999}), "s-main-w:500");
-  EXPECT_EQ(marked_at({-60'000, 55'000}), "issue") << "50 m from everything";
+  EXPECT_EQ(marked_at({-109'999, 0}), "s-main-w:500");
+  EXPECT_EQ(marked_at({-110'000, 0}), "issue") << "50 m from the street's end";
 }
 
 TEST(MarkImportant, KeepsWhatAPersonMarkedInTheCityBefore) {
