@@ -65,8 +65,11 @@ const char* LvisLooks::house_colour(const std::string& id) const {
 }
 
 void LvisLooks::draw_legend(SvgPaper& paper) const {
-  for (std::size_t i = 0; i < kLooks; ++i)
-    paper.legend_box(kEntries[i].what + (i == kSelf ? "" : " " + std::to_string(counts_[i])), kEntries[i].colour);
+  for (std::size_t i = 0; i < kLooks; ++i) {
+    std::string what = kEntries[i].what;
+    if (i != kSelf) what.append(" ").append(std::to_string(counts_[i]));
+    paper.legend_box(what, kEntries[i].colour);
+  }
   paper.legend_box("not listed", kUnlisted);
   paper.legend_box("house seen", kTall);
   paper.legend_box("perhaps seen", kTallUnresolved);
