@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, boundary, buildings, streets, origin, important;
+  std::string output, boundary, buildings, streets, origin, important, terrain;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -86,6 +86,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   };
   std::vector<std::string> names;
   for (const auto& input : arguments.inputs) names.push_back(std::filesystem::path(input).filename().string());
+  if (!arguments.terrain.empty()) names.push_back(std::filesystem::path(arguments.terrain).filename().string());
   city.meta["sources"] = lines(names);
   city.meta["licences"] = lines(map.licences);
   city.meta["program_version"] = VICUS_VERSION;
@@ -95,6 +96,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
+  if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
   if (!arguments.important.empty())
     options["important"] = std::filesystem::path(arguments.important).filename().string();
   city.meta["options"] = options.dump();
@@ -113,6 +115,12 @@ nlohmann::json report_object(const City& city, const BuildReport& report, const 
   for (const auto& issue : city.issues)
     ++issues[std::to_string(static_cast<int>(issue.code)) + " " + name_of(issue.code)];
   object["issues"] = issues;
+  if (const Terrain& t = city.terrain; !t.height_mm.empty())
+    object["terrain"] = {{"columns", t.columns},
+                         {"rows", t.rows},
+                         {"step_m", metres(t.step_mm)},
+                         {"is_coarsened", report.is_terrain_coarsened},
+                         {"base_m", std::stoi(city.meta.at("terrain_base_m"))}};
   object["stages"] = nlohmann::json::array();
   for (const auto& s : report.stages)
     object["stages"].push_back({{"stage", s.stage}, {"cpu_s", s.cpu_s}, {"wall_s", s.wall_s}, {"peak_mb", s.peak_mb}});
@@ -128,6 +136,10 @@ std::string report_text(const City& city, const BuildReport& report, const std::
                 output.c_str(), city.sectors.size(), city.gates.size(), city.buildings.size(), wall,
                 city.issues.size());
   out << line;
+  if (const Terrain& t = city.terrain; !t.height_mm.empty())
+    out << "terrain: " << t.columns << " x " << t.rows << " heights, every " << metres(t.step_mm) << " m"
+        << (report.is_terrain_coarsened ? " (coarser than 5 m: the city is large)" : "") << ", above "
+        << city.meta.at("terrain_base_m") << " m\n";
   out << "next: vicus check " << output << "; vicus serve " << output << "\n";
   return out.str();
 }
@@ -147,6 +159,7 @@ void run(const Arguments& arguments, Context& context) {
   options.threads = options.visible.threads = arguments.threads;
   options.visible.over_roofs = !arguments.no_over_roofs;
   if (!arguments.important.empty()) options.important = read_author_list(arguments.important, issues);
+  options.terrain = arguments.terrain;
   options.previous = previous ? &*previous : nullptr;
   options.on_stage = [&](const char* stage) { progress(stage); };
   const std::vector<std::string> licences = map.licences;
@@ -185,6 +198,8 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
   command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
+  command->add_option("--terrain", arguments->terrain,
+                      "heights of the ground: a GeoTIFF or other raster with a coordinate system");
   command->add_option("--important", arguments->important,
                       "important sectors, one a line: PLACE[,METRES] or LAT,LON[,METRES]; PLACE is a sector id or the "
                       "name of a street or square, METRES (default 500) how far around it stays loaded, 0: no more");

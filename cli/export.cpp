@@ -8,7 +8,9 @@
 
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
+#include "cli/near_names.hpp"
 #include "httpd/static_files.hpp"
+#include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 #include "x3d_export/svg_map.hpp"
@@ -20,8 +22,8 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   fs::path city, out, x_ite;
-  std::string format, start;
-  bool has_labels = false;
+  std::string format, start, lvis;
+  bool has_labels = false, keeps_triangles = false;
   std::vector<double> box_m;  ///< west, south, east, north
 };
 
@@ -29,7 +31,7 @@ struct Written {
   std::size_t files = 0, bytes = 0;
 };
 
-const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site"};
+const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site", "portals"};
 
 void write_file(const fs::path& path, std::string_view bytes, Written& written) {
   fs::create_directories(path.parent_path().empty() ? "." : path.parent_path());
@@ -133,32 +135,67 @@ Written write_folder(const CityIndex& index, const Arguments& arguments) {
   return written;
 }
 
+/// A file that appears whole.
+void write_renamed(const fs::path& path, std::string_view bytes, Written& written) {
+  const fs::path fresh = path.string() + ".partial-" + std::to_string(getpid());
+  write_file(fresh, bytes, written);
+  fs::rename(fresh, path);
+}
+
+void require_sector(const City& city, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const auto& s : city.sectors) ids.push_back(s.id);
+  if (std::find(ids.begin(), ids.end(), id) != ids.end()) return;
+  // Somebody who gives a street's name gets the ids of its sectors.
+  std::vector<std::string> namesakes;
+  for (const auto& s : city.sectors)
+    if (s.name == id) namesakes.push_back(s.id);
+  std::string hint = did_you_mean(id, ids);
+  if (!namesakes.empty()) {
+    hint = "; sectors of that name:";
+    for (const auto& name : namesakes) hint += " " + name;
+  }
+  throw CityError("there is no sector " + id + hint + (hint.empty() ? "; --labels shows the ids on a map" : ""),
+                  kWrongUsage);
+}
+
+Written write_portals(const City& city, const Arguments& arguments) {
+  const auto graph = portal_graph(city, arguments.keeps_triangles);
+  Written written;
+  write_renamed(arguments.out.string() + ".json", prt_json(graph, city), written);
+  write_renamed(arguments.out, prt_text(graph), written);
+  return written;
+}
+
 Written write_map(const City& city, const Arguments& arguments) {
   SvgOptions options;
   options.has_labels = arguments.has_labels;
+  options.lvis = arguments.lvis;
+  if (!options.lvis.empty()) require_sector(city, options.lvis);
   if (const auto& b = arguments.box_m; !b.empty()) {
     options.box = PlanBox{{lattice_mm(b[0]), lattice_mm(b[1])}, {lattice_mm(b[2]), lattice_mm(b[3])}};
     if (b[0] >= b[2] || b[1] >= b[3])
       throw CityError("--bbox is empty: expected WEST,SOUTH,EAST,NORTH in metres from the city's origin", kWrongUsage);
   }
   Written written;
-  const fs::path fresh = arguments.out.string() + ".partial-" + std::to_string(getpid());
-  write_file(fresh, svg_map(city, options), written);
-  fs::rename(fresh, arguments.out);
+  write_renamed(arguments.out, svg_map(city, options), written);
   return written;
 }
 
 void export_city(Arguments arguments, Context& context) {
   const City city = read_city(arguments.city);
   if (arguments.out.empty())
-    arguments.out = arguments.city.stem().string() + (arguments.format == "svg" ? ".svg" : "-" + arguments.format);
+    arguments.out = arguments.city.stem().string() + (arguments.format == "svg"       ? ".svg"
+                                                      : arguments.format == "portals" ? ".prt"
+                                                                                      : "-" + arguments.format);
   Written written;
   try {
     if (arguments.format == "svg") {
       written = write_map(city, arguments);
     } else {
       if (city.sectors.empty()) throw CityError("the city has no sectors: there is nothing to walk in", kNothingUsable);
-      written = write_folder(CityIndex(city), arguments);
+      written =
+          arguments.format == "portals" ? write_portals(city, arguments) : write_folder(CityIndex(city), arguments);
     }
   } catch (const fs::filesystem_error& e) {
     throw CityError(std::string("cannot write the export: ") + e.what());
@@ -175,17 +212,21 @@ void export_city(Arguments arguments, Context& context) {
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
-  auto* command = new_command(app, context, "export", "a city in other formats: a map, X3D, a web site",
-                              "vicus export city.gpkg --format svg --labels -o city.svg");
+  auto* command = new_command(app, context, "export", "a city in other formats: a map, X3D, a web site, portals",
+                              "vicus export city.gpkg --format svg --labels -o city.svg\n"
+                              "  vicus export city.gpkg --format svg --lvis r12 -o r12.svg");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("CITY", arguments->city, "a city made by vicus build")->required();
   command
       ->add_option("--format", arguments->format,
-                   "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server")
+                   "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server; "
+                   "portals: convex cells and portals (PRT1) for other visibility programs, with OUT.json beside")
       ->required()
       ->check(CLI::IsMember(kFormats));
   command->add_option("-o,--output", arguments->out, "file or folder; else named after the city, here");
   command->add_flag("--labels", arguments->has_labels, "svg: ids and names of sectors");
+  command->add_option("--lvis", arguments->lvis, "svg: a sector's id; shows what it sees, and why");
+  command->add_flag("--triangles", arguments->keeps_triangles, "portals: keep triangles, do not join them");
   command->add_option("--bbox", arguments->box_m, "svg: WEST,SOUTH,EAST,NORTH in metres from the city's origin")
       ->delimiter(',')
       ->expected(4);

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "sectorgen/geo/plan_frame.hpp"
+#include "sectorgen/geo/read_terrain.hpp"
 #include "sectorgen/important/important.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
@@ -43,6 +44,22 @@ void StageClock::end() {
   stage_ = nullptr;
 }
 
+namespace {
+
+/// Before the long stages, so that a raster of another place is told at once.
+void add_terrain(const std::filesystem::path& path, const std::vector<Polygon>& domain, City& city,
+                 BuildReport& report) {
+  PlanBox box;
+  for (const auto& polygon : domain)
+    for (const auto& p : polygon.outer) box.add(p);
+  auto read = read_terrain(path, PlanFrame(city.origin), box, {}, city.issues);
+  city.terrain = std::move(read.terrain);
+  city.meta["terrain_base_m"] = std::to_string(read.base_m);
+  report.is_terrain_coarsened = read.is_coarsened;
+}
+
+}  // namespace
+
 City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> issues, BuildReport& report) {
   StageClock clock(report, options.on_stage);
   City city;
@@ -54,6 +71,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   plan.blocks = make_blocks(map);
   plan.domain = make_domain(map, plan.blocks);
   if (plan.domain.empty()) throw CityError("nothing to build a city from: no footprint and no street", 4);
+  if (!options.terrain.empty()) add_terrain(options.terrain, plan.domain, city, report);
   plan.kerbs = make_kerbs(map, plan.blocks, plan.domain);
   plan.noded = node_map(plan.blocks, plan.domain, plan.kerbs);
 

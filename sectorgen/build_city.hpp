@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct StageTime {
 
 struct BuildReport {
   std::vector<StageTime> stages;
+  bool is_terrain_coarsened = false;  ///< its step is wider than 5 m, or there would be too many nodes
 };
 
 /// Times one stage after the other; CPU time is of all threads.
@@ -43,6 +45,7 @@ struct BuildOptions {
   std::uint64_t budget_bytes = 200'000;  ///< per sector, as sent
   unsigned threads = 0;                  ///< 0: all cores
   const City* previous = nullptr;  ///< the city built before, whose sector ids are kept where sectors are the same
+  std::filesystem::path terrain;   ///< a raster of heights; empty: the ground is flat
   bool with_visibility = true;     ///< false: no L_vis
   VisibleOptions visible;
   std::vector<AuthorEntry> important;               ///< a person's list of important sectors

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "x3d_export/city_index.hpp"
+#include "x3d_export/svg_lvis.hpp"
 #include "x3d_export/svg_paper.hpp"
 #include "x3d_export/text.hpp"
 
@@ -14,7 +15,7 @@ namespace vicus {
 namespace {
 
 constexpr int kHues = 12;
-constexpr double kMargin_m = 5;
+constexpr double kMargin_m = 5, kListedMargin_m = 50;
 
 struct Look {
   const char* what;
@@ -39,6 +40,11 @@ PlanBox box_of(const std::vector<PlanPoint>& line) {
   return box;
 }
 
+PlanBox widened(const PlanBox& box, double by_m) {
+  const std::int32_t margin = lattice_mm(by_m);
+  return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+}
+
 PlanBox whole_box(const City& city) {
   PlanBox box;
   for (const auto& polygon : city.domain)
@@ -48,8 +54,16 @@ PlanBox whole_box(const City& city) {
   for (const auto& b : city.buildings)
     for (const auto& p : b.footprint.outer) box.add(p);
   if (box.is_empty()) box.add({0, 0});
-  const std::int32_t margin = lattice_mm(kMargin_m);
-  return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+  return widened(box, kMargin_m);
+}
+
+/// Around every listed sector.
+PlanBox listed_box(const City& city, const LvisLooks& looks) {
+  PlanBox box;
+  for (const auto& s : city.sectors)
+    if (looks.lists(s.id))
+      for (const auto& p : s.ground.outer) box.add(p);
+  return widened(box, kListedMargin_m);
 }
 
 /// Hue numbers by sector: a hash of the id, moved on while a gate neighbour has it.
@@ -111,7 +125,10 @@ class MapDrawing {
       : index_(city),
         city_(city),
         options_(options),
-        box_(options.box.value_or(whole_box(city))),
+        looks_(options.lvis.empty() ? std::nullopt : std::optional<LvisLooks>(std::in_place, city, options.lvis)),
+        box_(options.box ? *options.box
+             : looks_    ? listed_box(city, *looks_)
+                         : whole_box(city)),
         paper_(box_, options.side_px) {}
 
   std::string draw() {
@@ -121,7 +138,7 @@ class MapDrawing {
       if (is_shown(o.area)) paper_.polygon(o.area, obstacle_colour(o.kind), "");
     draw_sectors();
     for (const auto& b : city_.buildings)
-      if (is_shown(b.footprint)) paper_.polygon(b.footprint, kHouse, kHouseLine, b.base_m > 0 ? 0.45 : 1);
+      if (is_shown(b.footprint)) draw_house(b);
     draw_lines();
     if (options_.has_labels) draw_labels();
     paper_.end_map();
@@ -133,7 +150,17 @@ class MapDrawing {
   bool is_shown(const Polygon& polygon) const { return meet(vicus::box_of(polygon), box_); }
   bool is_shown(const std::vector<PlanPoint>& line) const { return meet(box_of(line), box_); }
 
+  void draw_house(const Building& b) {
+    const char* marked = looks_ ? looks_->house_colour(b.id) : nullptr;
+    paper_.polygon(b.footprint, marked ? marked : kHouse, kHouseLine, b.base_m > 0 ? 0.45 : 1);
+  }
+
   void draw_sectors() {
+    if (looks_) {
+      for (const auto& s : city_.sectors)
+        if (is_shown(s.ground)) paper_.polygon(s.ground, looks_->ground_colour(s.id), "");
+      return;
+    }
     const auto hues = hues_of(index_);
     for (const auto& s : city_.sectors)
       if (is_shown(s.ground)) paper_.polygon(s.ground, sector_colour(s.kind, hues.at(s.id)), "");
@@ -180,12 +207,23 @@ class MapDrawing {
     paper_.legend_line("wall", kWall);
     paper_.legend_line("fence", kFence);
     paper_.legend_line("street axis", kAxis);
-    for (const auto kind : {SectorKind::street, SectorKind::crossroads, SectorKind::square, SectorKind::yard,
-                            SectorKind::passage, SectorKind::open})
-      paper_.legend_box(name_of(kind), sector_colour(kind, 7));
+    if (looks_)
+      looks_->draw_legend(paper_);
+    else
+      draw_kinds();
     paper_.legend_box("building", kHouse);
     paper_.legend_box("water", kWater);
     paper_.legend_box("closed yard", kYard);
+    draw_title();
+  }
+
+  void draw_kinds() {
+    for (const auto kind : {SectorKind::street, SectorKind::crossroads, SectorKind::square, SectorKind::yard,
+                            SectorKind::passage, SectorKind::open})
+      paper_.legend_box(name_of(kind), sector_colour(kind, 7));
+  }
+
+  void draw_title() {
     const auto meta = [this](const char* key) {
       const auto at = city_.meta.find(key);
       return at == city_.meta.end() ? std::string() : at->second;
@@ -193,15 +231,17 @@ class MapDrawing {
     std::string attribution = meta("licences");  // one to a line
     std::replace(attribution.begin(), attribution.end(), '\n', ';');
     const std::string name = meta("name").empty() ? "City" : meta("name");
-    paper_.title(name + ": " + std::to_string(city_.sectors.size()) + " sectors, " +
-                     std::to_string(city_.gates.size()) + " gates, " + std::to_string(city_.buildings.size()) +
-                     " buildings",
+    paper_.title(looks_ ? looks_->title()
+                        : name + ": " + std::to_string(city_.sectors.size()) + " sectors, " +
+                              std::to_string(city_.gates.size()) + " gates, " + std::to_string(city_.buildings.size()) +
+                              " buildings",
                  attribution);
   }
 
   CityIndex index_;
   const City& city_;
   SvgOptions options_;
+  std::optional<LvisLooks> looks_;
   PlanBox box_;
   SvgPaper paper_;
 };

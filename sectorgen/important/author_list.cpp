@@ -129,12 +129,31 @@ std::vector<Sector*> sectors_named(City& city, const std::string& place) {
   return found;
 }
 
-/// The sector whose ground holds the point; on a common edge the first.
+double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
+  const double length2 = static_cast<double>(distance2(a, b));
+  const double along = length2 > 0 ? std::clamp(static_cast<double>(dot(a, b, p)) / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - (a.x + along * (double(b.x) - a.x)), p.y - (a.y + along * (double(b.y) - a.y)));
+}
+
+/// The sector whose ground holds the point, on a common edge the first; for a point in a house the nearest one within
+/// kNearPlace_m.
 std::vector<Sector*> sectors_at(City& city, PlanPoint at) {
-  auto found = sectors_where(
-      city, [&](const Sector& s) { return bounds_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside; });
-  if (found.size() > 1) found.resize(1);
-  return found;
+  for (auto& s : city.sectors)
+    if (bounds_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside) return {&s};
+  Sector* nearest = nullptr;
+  double least_mm = kNearPlace_m * kMmPerMetre;
+  const auto look_at = [&](Sector& s, const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (const double mm = distance_mm(at, ring[i], ring[(i + 1) % ring.size()]); mm < least_mm) {
+        least_mm = mm;
+        nearest = &s;
+      }
+  };
+  for (auto& s : city.sectors) {
+    look_at(s, s.ground.outer);
+    for (const auto& hole : s.ground.holes) look_at(s, hole);
+  }
+  return nearest ? std::vector<Sector*>{nearest} : std::vector<Sector*>{};
 }
 
 }  // namespace
@@ -171,13 +190,14 @@ void mark_author_list(City& city, const std::vector<AuthorEntry>& list, const Pl
                        : entry.at ? std::vector<Sector*>{}
                                   : sectors_named(city, entry.place);
     if (found.empty())
-      issues.push_back({IssueCode::unknown_place,
-                        (entry.at ? "the place " + std::to_string(entry.at->lat_deg) + "," +
-                                        std::to_string(entry.at->lon_deg) + " lies in no sector"
-                                  : "no sector has the id or name '" + entry.place + "'") +
-                            ", so nothing was marked important; see the ids and names in the map of vicus export "
-                            "--format svg --labels",
-                        entry.source_id, at.value_or(PlanPoint{})});
+      issues.push_back(
+          {IssueCode::unknown_place,
+           (entry.at ? "the place " + std::to_string(entry.at->lat_deg) + "," + std::to_string(entry.at->lon_deg) +
+                           " lies in no sector, and in no house beside one"
+                     : "no sector has the id or name '" + entry.place + "'") +
+               ", so nothing was marked important; see the ids and names in the map of vicus export "
+               "--format svg --labels",
+           entry.source_id, at.value_or(PlanPoint{})});
     for (Sector* sector : found) {
       sector->importance = entry.vicinity_m > 0 ? Importance::author : Importance::none;
       sector->vicinity_m = entry.vicinity_m;

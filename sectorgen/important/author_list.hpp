@@ -17,6 +17,8 @@
 namespace vicus {
 
 inline constexpr double kVicinity_m = 500;
+/// A place given by degrees may lie in a house: then the sector is meant that is nearest, up to so far.
+inline constexpr double kNearPlace_m = 50;
 /// A city is smaller; a larger number is a mistake.
 inline constexpr double kMostVicinity_m = 100'000;
 

@@ -258,6 +258,7 @@ RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std:
   std::vector<Explorer> explorers;
   for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
   run_parallel(city.sectors.size(), threads, [&](std::size_t sector, unsigned thread) {
+    if (sector % options.every != 0) return;
     lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), in_sight[sector]);
   });
   for (const auto& explorer : explorers) {

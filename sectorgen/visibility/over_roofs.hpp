@@ -12,6 +12,7 @@ struct RoofOptions {
   double first_radius_m = 2.5;    ///< of the first horizons
   double pair_radius_m = 1;       ///< below it eyes and walls are taken pair by pair
   double least_radius_m = 0.125;  ///< and told apart down to pieces of twice this length
+  std::uint32_t every = 1;       ///< only each n-th sector, the others' lists stay empty: to measure
   std::size_t grid_cells = 48'000'000;
 };
 

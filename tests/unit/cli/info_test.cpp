@@ -1,28 +1,18 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
+#include "tests/unit/cli/run_program.hpp"
 
 namespace vicus {
 namespace {
 
 using nlohmann::json;
 
-/// `vicus ARGUMENTS`: exit code, stdout and stderr.
-struct Outcome {
-  int rc = -1;
-  std::string out, errors;
-};
-
-Outcome vicus_program(const test::ScratchDirectory& scratch, const std::string& arguments) {
-  const std::string out = (scratch / "out").string(), errors = (scratch / "err").string();
-  const int status = std::system((VICUS_PROGRAM " " + arguments + " >'" + out + "' 2>'" + errors + "'").c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_bytes(out), test::read_bytes(errors)};
-}
+using test::vicus_program;
 
 std::string sample_file(const test::ScratchDirectory& scratch) {
   City city = test::sample_city();
@@ -39,7 +29,9 @@ TEST(VicusInfo, TellsCountsSourcesAndSizes) {
   EXPECT_EQ(info.errors, "");
   for (const char* part :
        {"origin          47.0707000, 15.4395000\n", "licences        © Löwen, ODbL 1.0\n", "licences        second\n",
-        "sectors         7 (1 crossroads, 1 passage, 4 street, 1 yard)\n",
+        "sectors         7 (1 crossroads, 1 passage, 4 street, 1 yard)\n", "important       2 (1 author, 1 proposed)\n",
+        "unresolved      1\n", "terrain nodes   12\n",
+        "visible         26 (12 gate, 1 important, 4 line_of_sight, 2 over_roofs, 7 self)\n",
         "issues          2 (1 no_height, 1 ring_self_intersection)\n", "artefacts       2 model/x3d+xml, br, 7 B\n",
         "program_version 0.0.0-sample\n"})
     EXPECT_NE(info.out.find(part), std::string::npos) << part << "in\n" << info.out;

@@ -64,6 +64,39 @@ TEST(SvgMap, ShowsOnlyWhatMeetsTheBox) {
   EXPECT_EQ(svg.find(">s-south<"), std::string::npos);
 }
 
+TEST(SvgMap, ColoursTheListOfOneSectorByReason) {
+  const City city = test::sample_city();
+  SvgOptions options;
+  options.lvis = "s-yard";
+  options.box = PlanBox{{-70'000, -50'000}, {70'000, 50'000}};
+  const auto svg = svg_map(city, options);
+  const auto fills = test::attributes_in(svg, "path", "fill");
+  const std::size_t first = city.domain.size() + city.obstacles.size();
+  const char* const expected[] = {"#5fb35f", "#f7f5f0", "#5b9bd5", "#b4c9e4", "#f08c2e", "#f7f5f0", "#d42020"};
+  for (std::size_t i = 0; i < std::size(expected); ++i)
+    EXPECT_EQ(fills.at(first + i), expected[i]) << city.sectors[i].id;
+  // The two houses seen over roofs, and one box each in the legend.
+  EXPECT_EQ(count(svg, "fill='#1f3f8f'"), 2u);
+  EXPECT_EQ(count(svg, "fill='#8092c4'"), 2u);
+  for (const char* text :
+       {"L_vis of s-yard (Löwenhof)<", ">gate 1<", ">in sight 0<", ">over roofs 1<", ">unresolved 1<", ">important 1<"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
+TEST(SvgMap, ShowsAListWithItsSurroundings) {
+  SvgOptions options;
+  options.lvis = "s-passage";
+  options.has_labels = true;
+  City city = test::sample_city();
+  Sector far_away = city.sectors.front();
+  far_away.id = "s-far";
+  for (auto& p : far_away.ground.outer) p.x += 900'000;
+  city.sectors.push_back(far_away);
+  const auto svg = svg_map(city, options);
+  EXPECT_NE(svg.find(">s-yard<"), std::string::npos);
+  EXPECT_EQ(svg.find(">s-far<"), std::string::npos);
+}
+
 TEST(SvgMap, DrawsACityWithNothingInIt) {
   const auto svg = svg_map(City{}, {});
   EXPECT_NE(svg.find("0 sectors"), std::string::npos);

@@ -122,7 +122,22 @@ TEST(MarkImportant, NamesPlacesOutOfTheCityAndOutOfTheLattice) {
   EXPECT_EQ(marked(city, Importance::author), "") << "sectors without a name are not meant";
   ASSERT_EQ(issues.size(), 2u);
   EXPECT_EQ(issues[0].at, (PlanPoint{500'000'000, 0}));
-  EXPECT_NE(issues[1].message.find("80.000000,10.000000 lies in no sector"), std::string::npos);
+  EXPECT_NE(issues[1].message.find("80.000000,10.000000 lies in no sector, and"), std::string::npos);
+}
+
+TEST(MarkImportant, TakesTheNearestSectorOfAPlaceInAHouse) {
+  const auto marked_at = [](PlanPoint at) {
+    City city = plain_city();
+    std::vector<Issue> issues;
+    mark_author_list(
+        city, {{"", LatLon{1, 1}, 500, "l#1"}}, [&](LatLon) { return at; }, issues);
+    return marked(city, Importance::author) + (issues.empty() ? "" : "issue");
+  };
+  EXPECT_EQ(marked_at({-30'000, -10'000}), "s-main-w:500") << "in the church b-10";
+  EXPECT_EQ(marked_at({8'000, 30'000}), "s-north:500") << "in b-6, 3 m from the street and 4 m from the yard";
+  EXPECT_EQ(marked_at({31'500, 0}), "s-main-e:500") << "on the island, a hole of its ground";
+  EXPECT_EQ(marked_at({-109'999, 0}), "s-main-w:500");
+  EXPECT_EQ(marked_at({-110'000, 0}), "issue") << "50 m from the street's end";
 }
 
 TEST(MarkImportant, KeepsWhatAPersonMarkedInTheCityBefore) {

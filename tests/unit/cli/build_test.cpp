@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <nlohmann/json.hpp>
+
+#include "city_db/store.hpp"
+#include "tests/unit/cli/run_program.hpp"
+
+namespace vicus {
+namespace {
+
+using test::vicus_program;
+
+/// A small town, built once.
+struct Town {
+  Town() {
+    EXPECT_EQ(vicus_program(scratch, "town --houses 40 --seed 3 -o " + path("town.osm")).rc, 0);
+    const auto built = build("");
+    EXPECT_EQ(built.rc, 0) << built.errors;
+  }
+  test::Outcome build(const std::string& options) const {
+    return vicus_program(scratch, "build " + path("town.osm") + " -o " + path("town.gpkg") + " --json " + options);
+  }
+  City city() const { return read_city(path("town.gpkg")); }
+  std::string path(const char* name) const { return (scratch / name).string(); }
+  test::ScratchDirectory scratch;
+};
+
+std::string authors_of(const City& city) {
+  std::string ids;
+  for (const auto& s : city.sectors)
+    if (s.importance == Importance::author) ids += s.id + " ";
+  return ids;
+}
+
+TEST(VicusBuild, ReplacesACityOfAnotherFormat) {
+  const Town town;
+  sqlite3* db = nullptr;
+  ASSERT_EQ(sqlite3_open(town.path("town.gpkg").c_str(), &db), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(db, "UPDATE meta SET value = '1' WHERE key = 'format_version'", nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(db);
+  EXPECT_THROW(town.city(), OtherVersionError);
+  const auto again = town.build("");
+  EXPECT_EQ(again.rc, 0) << again.errors;
+  EXPECT_NE(again.errors.find("its sector ids are not kept"), std::string::npos) << again.errors;
+  EXPECT_FALSE(town.city().sectors.empty());
+}
+
+TEST(VicusBuild, KeepsAPersonsMarksUntilTheyAreTakenAway) {
+  const Town town;
+  const std::string id = town.city().sectors[0].id;
+  EXPECT_EQ(authors_of(town.city()), "");
+  test::write_bytes(town.path("list.csv"), id + ",100000\nNowhere Street\n");
+  const auto marked = town.build("--important " + town.path("list.csv"));
+  ASSERT_EQ(marked.rc, 0) << marked.errors;
+  EXPECT_EQ(nlohmann::json::parse(marked.out)["issues"]["104 unknown_place"], 1);
+  const auto rows = [&] {
+    std::size_t count = 0;
+    for (const auto& v : town.city().visible) count += v.visible_sector_id == id && v.sector_id != id;
+    return count;
+  };
+  EXPECT_EQ(authors_of(town.city()), id + " ");
+  EXPECT_EQ(rows(), town.city().sectors.size() - 1);
+  EXPECT_EQ(town.build("").rc, 0);
+  EXPECT_EQ(authors_of(town.city()), id + " ");
+  test::write_bytes(town.path("list.csv"), id + ",0\n");
+  EXPECT_EQ(town.build("--important " + town.path("list.csv")).rc, 0);
+  EXPECT_EQ(authors_of(town.city()), "");
+  EXPECT_EQ(town.build("--important " + town.path("none.csv")).rc, 1);
+}
+
+TEST(VicusBuild, NamesARasterThatIsNone) {
+  const Town town;
+  const auto refused = town.build("--terrain " + town.path("town.osm"));
+  EXPECT_EQ(refused.rc, 4);
+  EXPECT_NE(refused.errors.find("cannot take heights from"), std::string::npos) << refused.errors;
+}
+
+}  // namespace
+}  // namespace vicus
