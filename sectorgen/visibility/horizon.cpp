@@ -8,8 +8,9 @@ namespace vicus {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kStepCells = 2;    // a grid's radius is four cells or more: no roof that counts is stepped over
-constexpr double kRounding = 1e-6;  // of a rise, of a metre: against doing sums in floats
+constexpr double kStepCells = 2;      // a grid's radius is four cells or more: no roof that counts is stepped over
+constexpr double kStepShare = 0.006;  // far away steps grow with the width of a bin
+constexpr double kRounding = 1e-6;    // of a rise, of a metre: against doing sums in floats
 
 double distance_to_segment(Spot p, Spot a, Spot b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -101,7 +102,7 @@ void Horizon::follow(std::uint32_t bin_index, Bin& bin, float distance, float ri
       if (bin.steps == bin.step.size()) --bin.steps;  // the last one gives way: less is known between the two
       bin.step[bin.steps++] = {static_cast<float>(at * (1 + kRounding)), here};
     }
-    at += kStepCells * grid->cell_m;
+    at += std::max(kStepCells * grid->cell_m, kStepShare * at);
   }
   bin.followed = static_cast<float>(at);
 }

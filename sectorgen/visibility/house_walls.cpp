@@ -133,36 +133,29 @@ bool HouseWalls::is_clear(Spot p, double p_up_m, Spot q, double q_up_m) const {
   return is_clear;
 }
 
-void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
-  out.clear();
-  struct Hit {
-    double at;
-    std::uint32_t house;
-    bool is_in;
-    bool operator<(const Hit& other) const {
-      return std::tie(house, at, is_in) < std::tie(other.house, other.at, other.is_in);
-    }
-  };
-  thread_local std::vector<Hit> hits;
-  hits.clear();
-  visit_cells(p, q, [&](std::size_t cell) {
-    for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-      const HouseWall& w = walls_[cell_walls_[i]];
-      // Points on the line count as right of it, so that a line through a corner cuts one of the two walls there.
-      const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
-      if ((side_a > 0) == (side_b > 0)) continue;
-      const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
-      const double at = side_p / (side_p - side_q);
-      if (!(at >= 0 && at <= 1)) continue;
-      hits.push_back({at, w.house, side_p < side_q});
-    }
-    return false;
-  });
-  std::sort(hits.begin(), hits.end());
-  hits.erase(
-      std::unique(hits.begin(), hits.end(),
-                  [](const Hit& a, const Hit& b) { return a.house == b.house && a.at == b.at && a.is_in == b.is_in; }),
-      hits.end());  // a wall in several cells
+namespace {
+
+struct Hit {
+  double at;
+  std::uint32_t house;
+  bool is_in;
+  auto key() const { return std::tie(house, at, is_in); }
+};
+
+/// Where p -> q passes a wall, if it does. Points on the line count as right of it, so that a line through a corner
+/// cuts one of the two walls there.
+bool find_hit(Spot p, Spot q, const HouseWall& w, Hit& hit) {
+  const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
+  if ((side_a > 0) == (side_b > 0)) return false;
+  const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
+  hit = {side_p / (side_p - side_q), w.house, side_p < side_q};
+  return hit.at >= 0 && hit.at <= 1;
+}
+
+void crossings_from(std::vector<Hit>& hits, std::vector<Crossing>& out) {
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.key() < b.key(); });
+  hits.erase(std::unique(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.key() == b.key(); }),
+             hits.end());  // a wall in several cells
   for (std::size_t i = 0; i < hits.size();) {
     const std::uint32_t house = hits[i].house;
     double from = 0;
@@ -175,6 +168,31 @@ void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
     if (is_in) out.push_back({from, 1, house});
   }
   std::sort(out.begin(), out.end(), [](const Crossing& a, const Crossing& b) { return a.from < b.from; });
+}
+
+}  // namespace
+
+void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
+  out.clear();
+  thread_local std::vector<Hit> hits;
+  hits.clear();
+  Hit hit{};
+  visit_cells(p, q, [&](std::size_t cell) {
+    for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i)
+      if (find_hit(p, q, walls_[cell_walls_[i]], hit)) hits.push_back(hit);
+    return false;
+  });
+  crossings_from(hits, out);
+}
+
+void HouseWalls::cut(Spot p, Spot q, std::uint32_t house, std::vector<Crossing>& out) const {
+  out.clear();
+  thread_local std::vector<Hit> hits;
+  hits.clear();
+  Hit hit{};
+  for (std::uint32_t i = houses_[house].first_wall; i < houses_[house].last_wall; ++i)
+    if (find_hit(p, q, walls_[i], hit)) hits.push_back(hit);
+  crossings_from(hits, out);
 }
 
 bool HouseWalls::contains(std::uint32_t house, Spot x) const {

@@ -45,6 +45,9 @@ class HouseWalls {
   /// Where the line p -> q runs through houses, by `from`. Error  rounding of doubles: ends within 1 um.
   void cut(Spot p, Spot q, std::vector<Crossing>& out) const;
 
+  /// The same for one house.
+  void cut(Spot p, Spot q, std::uint32_t house, std::vector<Crossing>& out) const;
+
   /// The line from p at height p_up_m to q, rising, meets no house. Cheap where something near p stops it.
   /// Never true when a house is in the way: what hangs over ground counts from the ground up, and 2 cm are added on
   /// top.

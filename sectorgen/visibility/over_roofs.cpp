@@ -59,6 +59,11 @@ Spot beside(const Region& segment, double left_m) {
 
 enum class State : char { unknown, open, known };  // known: proven visible, or in sight on the level
 
+/// What was spent on a showing from one sector.
+struct Effort {
+  std::uint32_t rays = 0, pairs = 0;
+};
+
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
@@ -72,7 +77,11 @@ class Scene {
 class Explorer {
  public:
   Explorer(const Scene& scene, const RoofOptions& options)
-      : scene_(scene), options_(options), state_(scene.targets.showings.size()) {}
+      : scene_(scene),
+        options_(options),
+        state_(scene.targets.showings.size()),
+        effort_(scene.targets.showings.size()),
+        blocker_(scene.targets.tree.segments.size()) {}
 
   std::vector<RoofSight> run(const City& city, std::uint32_t sector, const std::vector<std::uint32_t>& in_sight) {
     const auto& showings = scene_.targets.showings;
@@ -80,6 +89,8 @@ class Explorer {
       state_[i] =
           std::binary_search(in_sight.begin(), in_sight.end(), showings[i].sector) ? State::known : State::unknown;
     found_.clear();
+    std::fill(effort_.begin(), effort_.end(), Effort{});
+    std::fill(blocker_.begin(), blocker_.end(), kNowhere);
     rim_ = rim_of(city.sectors[sector]);
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
     std::vector<RoofSight> out;
@@ -113,6 +124,11 @@ class Explorer {
       if (state_[i] == State::unknown) found_.push_back(i);
       state_[i] = state;
     }
+  }
+
+  Effort& effort_of(const Region& target) {
+    const std::uint32_t facade = scene_.targets.facade[target.segment];
+    return effort_[facade == kNowhere ? scene_.targets.owner[target.segment] : facade];
   }
 
   /// No eye of the region is on the outer side of the wall.
@@ -194,11 +210,12 @@ class Explorer {
     const State state = state_of(target);
     if (state == State::known || is_behind(eyes, target)) return;
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
-    if (length > eyes.radius + target.radius && is_blocked(eyes, target, length)) return;
+    if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return;
     if (is_seen(eyes, target)) return set_state(target, State::known);
     if (state == State::open) return;
     const bool eyes_are_small = eyes.radius <= options_.least_radius_m;
     const bool target_is_small = target.radius <= options_.least_radius_m;
+    if (++effort_of(target).pairs > options_.most_pairs) return set_state(target, State::open);
     if (eyes_are_small && target_is_small) return set_state(target, State::open);
     if (!target_is_small && (eyes_are_small || target.radius > eyes.radius)) {
       const auto [first, second] = halves(scene_.targets.tree, target);
@@ -211,28 +228,44 @@ class Explorer {
     }
   }
 
-  /// One place on the middle line where the whole disc of displaced lines is under roofs that reach it.
-  bool is_blocked(const Region& eyes, const Region& target, double length) {
+  /// One place on the middle line where the whole disc of displaced lines is under roofs that reach it. First the house
+  /// that hid the wall from elsewhere.
+  bool is_blocked(const Region& eyes, const Region& target) {
+    std::uint32_t& blocker = blocker_[target.segment];
+    if (blocker != kNowhere) {
+      scene_.walls.cut(eyes.centre, target.centre, blocker, crossings_);
+      for (const Crossing& crossing : crossings_)
+        if (blocks(eyes, target, crossing)) return true;
+    }
     ++fine_tests;
     scene_.walls.cut(eyes.centre, target.centre, crossings_);
-    const double rise = target.top_m - kEyeTop_m;
-    for (const Crossing& crossing : crossings_) {
-      const HouseBody& body = scene_.walls.houses()[crossing.house];
-      if (!body.stands() || body.sure_top_m < kEyeTop_m + rise * crossing.from) continue;
-      double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
-      for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
-        const double up = kEyeTop_m + rise * t;
-        if (body.sure_top_m < up) break;
-        const Spot x{eyes.centre.x + t * (target.centre.x - eyes.centre.x),
-                     eyes.centre.y + t * (target.centre.y - eyes.centre.y)};
-        if (scene_.walls.is_roofed(x, (1 - t) * eyes.radius + t * target.radius, crossing.house, up)) return true;
+    for (const Crossing& crossing : crossings_)
+      if (blocks(eyes, target, crossing)) {
+        blocker = crossing.house;
+        return true;
       }
+    return false;
+  }
+
+  bool blocks(const Region& eyes, const Region& target, const Crossing& crossing) const {
+    const HouseBody& body = scene_.walls.houses()[crossing.house];
+    const double rise = target.top_m - kEyeTop_m;
+    if (!body.stands() || body.sure_top_m < kEyeTop_m + rise * crossing.from) return false;
+    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
+    for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
+      const double up = kEyeTop_m + rise * t;
+      if (body.sure_top_m < up) return false;
+      const Spot x{eyes.centre.x + t * (target.centre.x - eyes.centre.x),
+                   eyes.centre.y + t * (target.centre.y - eyes.centre.y)};
+      if (scene_.walls.is_roofed(x, (1 - t) * eyes.radius + t * target.radius, crossing.house, up)) return true;
     }
     return false;
   }
 
   /// A line from the middle of the eyes to the middle of the wall's top meets no house.
   bool is_seen(const Region& eyes, const Region& target) {
+    if (++effort_of(target).rays > options_.most_rays) return false;
     ++rays;
     return scene_.walls.is_clear(beside(eyes, kInset_m), kEyeTop_m, beside(target, -kInset_m),
                                  scene_.walls.houses()[target.house].sure_top_m - kInset_m);
@@ -244,6 +277,8 @@ class Explorer {
   SegmentTree rim_;
   std::vector<State> state_;
   std::vector<std::uint32_t> found_;
+  std::vector<Effort> effort_;          // per showing
+  std::vector<std::uint32_t> blocker_;  // per wall, the house that hid it last
   std::vector<Crossing> crossings_;
 };
 

@@ -59,9 +59,15 @@ Heights worn(const Heights& from, std::int64_t columns, std::int64_t rows, doubl
   return out;
 }
 
+struct Plane {
+  double cell_m = 0;
+  std::int64_t columns = 0, rows = 0;
+  Heights height;
+};
+
 /// Four cells to one, the least of them.
-WornGrid halved(const WornGrid& fine) {
-  WornGrid out{2 * fine.cell_m, fine.radius_m, (fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
+Plane halved(const Plane& fine) {
+  Plane out{2 * fine.cell_m, (fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
   out.height.assign(static_cast<std::size_t>(out.columns * out.rows), 255);
   for (std::int64_t row = 0; row < fine.rows; ++row)
     for (std::int64_t column = 0; column < fine.columns; ++column) {
@@ -69,6 +75,26 @@ WornGrid halved(const WornGrid& fine) {
       target = std::min(target, fine.height[static_cast<std::size_t>(row * fine.columns + column)]);
     }
   return out;
+}
+
+WornGrid in_blocks(const Plane& plane, double radius_m) {
+  WornGrid grid{plane.cell_m, radius_m, plane.columns, plane.rows, (plane.columns + 7) / 8, {}, {}};
+  const std::int64_t block_rows = (plane.rows + 7) / 8;
+  grid.block.assign(static_cast<std::size_t>(grid.block_columns * block_rows), 0);
+  grid.height.assign(64, 0);
+  std::uint8_t block[64];
+  for (std::int64_t y = 0; y < block_rows; ++y)
+    for (std::int64_t x = 0; x < grid.block_columns; ++x) {
+      std::fill(std::begin(block), std::end(block), std::uint8_t{0});
+      for (std::int64_t row = 8 * y; row < std::min(8 * y + 8, plane.rows); ++row)
+        std::copy_n(&plane.height[static_cast<std::size_t>(row * plane.columns + 8 * x)],
+                    std::min<std::int64_t>(8, plane.columns - 8 * x), &block[8 * (row - 8 * y)]);
+      if (std::all_of(std::begin(block), std::end(block), [](std::uint8_t h) { return h == 0; })) continue;
+      grid.block[static_cast<std::size_t>(y * grid.block_columns + x)] =
+          static_cast<std::uint32_t>(grid.height.size() / 64);
+      grid.height.insert(grid.height.end(), std::begin(block), std::end(block));
+    }
+  return grid;
 }
 
 }  // namespace
@@ -88,9 +114,9 @@ RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
   const auto rows = static_cast<std::int64_t>((top_ - bottom_) / cell) + 1;
   const Heights heights = draw(houses, cell, columns, rows);
   for (const double radius : kRadii) {
-    WornGrid grid{cell, radius * cell, columns, rows, worn(heights, columns, rows, radius)};
-    while (grid.cell_m * 8 <= grid.radius_m) grid = halved(grid);
-    grids_.push_back(std::move(grid));
+    Plane plane{cell, columns, rows, worn(heights, columns, rows, radius)};
+    while (plane.cell_m * 8 <= radius * cell) plane = halved(plane);
+    grids_.push_back(in_blocks(plane, radius * cell));
   }
 }
 

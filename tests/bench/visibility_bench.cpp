@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   for (const double least : {0.125}) {
     vicus::RoofOptions options;
     options.least_radius_m = least;
-    options.every = every;
+    options.every = every;if(getenv("RAYS"))options.most_rays=atoi(getenv("RAYS"));if(getenv("PAIRS"))options.most_pairs=atoi(getenv("PAIRS"));if(getenv("FIRST"))options.first_radius_m=atof(getenv("FIRST"));if(getenv("PAIR"))options.pair_radius_m=atof(getenv("PAIR"));
     before = vicus::cpu_seconds();
     const vicus::RoofLists roofs = vicus::sights_over_roofs(city, lists.visible, options);
     const double roof_s = vicus::cpu_seconds() - before;
