@@ -1,5 +1,5 @@
-import { inlinePhase, inlineScene } from '../x3d/xIteInline.js';
-import { recordFromScene } from '../x3d/recordMetadata.js';
+import { loadPhase } from '../core/loadPhase.js';
+import { recordFromMetadata } from '../core/recordMetadata.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
@@ -57,9 +57,9 @@ export class XIteAdapter {
 
     sectorOf(inline) {
         const id = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
-        const phase = inlinePhase(inline);
+        const phase = loadPhase(inline.load, inline.getValue().checkLoadState());
         if (phase !== 'live') return { id, phase, record: null };
-        const scene = inlineScene(inline);
+        const scene = inline.getValue().getInternalScene();
         if (!this.records.has(scene)) this.records.set(scene, readOrNull(scene));
         return { id, phase, record: this.records.get(scene) };
     }
@@ -125,7 +125,7 @@ export class XIteAdapter {
 
 function readOrNull(scene) {
     try {
-        return recordFromScene(scene);
+        return recordFromMetadata(scene.getNamedNode('RECORD'));
     } catch {
         return null;   // the LOADER says so and asks again
     }

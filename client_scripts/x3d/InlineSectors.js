@@ -1,5 +1,5 @@
-import { inlinePhase, inlineScene } from './xIteInline.js';
-import { recordFromScene } from './recordMetadata.js';
+import { loadPhase } from '../core/loadPhase.js';
+import { recordFromMetadata } from '../core/recordMetadata.js';
 
 /**
  * Shows and hides sectors as Inlines of the root world: Transform (the sector's origin) > Inline.
@@ -27,12 +27,18 @@ export class InlineSectors {
     }
 
     phase(id) {
-        return inlinePhase(this.inlines.get(id));
+        const inline = this.inlines.get(id);
+        return loadPhase(inline.load, inline.getValue().checkLoadState());
     }
 
-    /** Needs   phase(id) == 'live'. */
+    /** Needs   phase(id) == 'live'.   Fails   Error: no record in the file. */
     record(id) {
-        return recordFromScene(inlineScene(this.inlines.get(id)));
+        const scene = this.inlines.get(id).getValue().getInternalScene();
+        try {
+            return recordFromMetadata(scene.getNamedNode('RECORD'));
+        } catch (error) {
+            throw new Error(`sector ${id}: its file carries no RECORD that can be read: ${error.message}`);
+        }
     }
 
     makeAlarm(seconds) {

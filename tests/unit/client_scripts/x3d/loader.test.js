@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { recordFromMetadata } from '../../../../client_scripts/x3d/recordMetadata.js';
+import { recordFromMetadata } from '../../../../client_scripts/core/recordMetadata.js';
 import { FakeInline, FakeNode, metadataOf } from '../../../support/fakeScene.js';
 import { streetRecords } from '../../../support/streetRecords.js';
 

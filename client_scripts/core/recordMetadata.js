@@ -1,20 +1,9 @@
 /**
- * A sector's record out of its file's MetadataSet (client_scripts/README.md), in the shape of /sectors/ID.json.
+ * A sector's record out of its file's metadata (client_scripts/README.md), in the shape of /sectors/ID.json.
  *
- * Fails   Error: the scene has no RECORD, or a ground whose counts do not add up.
+ * Needs   a tree of { name, value }: a set's values are { name, value } again, a leaf's are texts or numbers.
+ * Fails   Error: a ground whose counts do not add up.
  */
-export function recordFromScene(scene) {
-    let set = null;
-    try {
-        set = scene.getNamedNode('RECORD');
-    } catch {
-        set = null;
-    }
-    if (!set) throw new Error('the sector file carries no RECORD');
-    return recordFromMetadata(set);
-}
-
-/** Needs   a MetadataSet node: name, value (MFNode); leaves have name and value (MFString, MFDouble, ...). */
 export function recordFromMetadata(set) {
     const record = leavesOf(set);
     record.ground = ringsOf(record.id, record.ground ?? [], record.ground_counts ?? []);
@@ -26,19 +15,22 @@ export function recordFromMetadata(set) {
 
 const kLists = ['names', 'visible', 'origin', 'box', 'ground', 'ground_counts', 'line'];
 
+function isSet(item) {
+    return typeof item.value[0] === 'object';
+}
+
 function leavesOf(set) {
     const record = {};
     for (const item of Array.from(set.value)) {
+        if (isSet(item)) continue;
         const values = Array.from(item.value);
-        if (item.getNodeTypeName() === 'MetadataSet') continue;
         record[item.name] = kLists.includes(item.name) ? values : values[0];
     }
     return record;
 }
 
 function setsOf(set, name) {
-    return Array.from(set.value)
-        .filter(item => item.getNodeTypeName() === 'MetadataSet' && item.name === name).map(leavesOf);
+    return Array.from(set.value).filter(item => item.name === name && isSet(item)).map(leavesOf);
 }
 
 function pairs(flat) {
