@@ -149,6 +149,9 @@ std::vector<Gate> CityReader::gates_of(const std::string& sector_id) const {
 std::vector<Viewpoint> CityReader::viewpoints_of(const std::string& sector_id) const {
   return impl_->rows_of<Viewpoint>("viewpoint", sector_id);
 }
+std::vector<StandaloneObject> CityReader::objects_of(const std::string& sector_id) const {
+  return impl_->rows_of<StandaloneObject>("object", sector_id);
+}
 std::vector<Visible> CityReader::visible_from(const std::string& sector_id) const {
   return impl_->rows_of<Visible>("visible", sector_id);
 }

@@ -112,6 +112,7 @@ RecordSource source_of(const CityIndex& index) {
   };
   source.gates_of = [&index](const std::string& id) { return copies(index.gates_of(id)); };
   source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
+  source.objects_of = [&index](const std::string& id) { return copies(index.objects_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
   source.houses_in = [&index](const PlanBox& box) {
     std::vector<Building> houses;

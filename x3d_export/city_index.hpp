@@ -22,6 +22,7 @@ struct RecordSource {
   std::function<std::optional<Sector>(const std::string& id)> sector;
   std::function<std::vector<Gate>(const std::string& sector_id)> gates_of;
   std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
+  std::function<std::vector<StandaloneObject>(const std::string& sector_id)> objects_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
   std::function<std::vector<std::string>()> sector_ids;

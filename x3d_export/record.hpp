@@ -17,6 +17,12 @@ struct SectorNeighbour {
   PlanBox box;
 };
 
+/// A disc on the ground that a visitor cannot enter: what stands there.
+struct Body {
+  PlanPoint at;
+  double radius_m = 0;
+};
+
 struct SectorRecord {
   Sector sector;
   PlanBox box;
@@ -25,6 +31,7 @@ struct SectorRecord {
   std::vector<SectorNeighbour> neighbours;  ///< every sector a gate leads to and every visible one, by id
   std::vector<std::string> visible;         ///< L_vis by id; gate neighbours and itself where none was computed
   std::vector<Viewpoint> viewpoints;
+  std::vector<Body> bodies;  ///< of the sector's objects, in their order
 };
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes);

@@ -8,12 +8,13 @@ export function recordFromMetadata(set) {
     const record = leavesOf(set);
     record.ground = ringsOf(record.id, record.ground ?? [], record.ground_counts ?? []);
     delete record.ground_counts;
-    record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: pairs(gate.line ?? []) }));
+    record.bodies = tuples(record.bodies ?? [], 3);
+    record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2) }));
     record.neighbours = setsOf(set, 'neighbour');
     return record;
 }
 
-const kLists = ['names', 'visible', 'origin', 'box', 'ground', 'ground_counts', 'line'];
+const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies'];
 
 function isSet(item) {
     return typeof item.value[0] === 'object';
@@ -33,12 +34,12 @@ function setsOf(set, name) {
     return Array.from(set.value).filter(item => item.name === name && isSet(item)).map(leavesOf);
 }
 
-function pairs(flat) {
-    return Array.from({ length: Math.floor(flat.length / 2) }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
+function tuples(flat, size) {
+    return Array.from({ length: Math.floor(flat.length / size) }, (_, i) => flat.slice(size * i, size * (i + 1)));
 }
 
 function ringsOf(id, flat, counts) {
-    const points = pairs(flat);
+    const points = tuples(flat, 2);
     if (counts.reduce((sum, count) => sum + count, 0) !== points.length)
         throw new Error(`sector ${id}: ground_counts ${counts} do not add up to its ${points.length} points`);
     let at = 0;

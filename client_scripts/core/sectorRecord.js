@@ -16,7 +16,9 @@ export function sectorFromRecord(record) {
     sector.name = record.name ?? '';
     sector.ground = record.ground.map(ring => ring.map(latticePoint));
     sector.gates = (record.gates ?? []).map(gate => gateFromRecord(gate, record.id));
+    sector.bodies = (record.bodies ?? []).map(bodyFromRecord);
     sector.visible = [...(record.visible ?? [])];
+    sector.overRoofs = [...(record.over_roofs ?? [])];
     sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
     return sector;
 }
@@ -32,6 +34,10 @@ function gateFromRecord(gate, sectorId) {
     if (!Array.isArray(gate.line) || gate.line.length < 2)
         throw new Error(`sector ${sectorId}: gate ${gate.id} has no line`);
     return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', line: gate.line.map(latticePoint) };
+}
+
+function bodyFromRecord([east, north, radius]) {
+    return { at: latticePoint([east, north]), radius: millimetres(radius) };
 }
 
 function numbers(list, count) {

@@ -42,8 +42,12 @@ export class Visitor {
         }, null, { timeout: 1000 * seconds });
     }
 
-    /** Walks (or runs) along plan points in millimetres. Fails when it takes longer than a slow machine explains. */
-    async walk(points, { run = true, within = 1.2, seconds = 240 } = {}) {
+    /**
+     * Walks (or runs, and walks up to each point) along plan points in millimetres. Who turns to the next point too far
+     * from this one walks into the corner that it leads round.
+     * Fails when it takes longer than a slow machine explains.
+     */
+    async walk(points, { run = true, within = 0.5, seconds = 240 } = {}) {
         const metres = points.map(([east, north]) => [east / 1000, north / 1000]);
         const result = await this.page.evaluate(pressKeys, { metres, run, within, seconds });
         assert.equal(result.reached, metres.length, `stuck at ${JSON.stringify(result)} on the way ${JSON.stringify(metres)}`);
@@ -105,12 +109,12 @@ function keepDiary() {
 }
 
 async function pressKeys({ metres, run, within, seconds, turnOnly }) {
-    const held = new Set();
+    const held = new Set(), shift = 'ShiftLeft';
     const press = (code, down) => {
         if (down === held.has(code)) return;
         if (down) held.add(code);
         else held.delete(code);
-        dispatchEvent(new KeyboardEvent(down ? 'keydown' : 'keyup', { code, shiftKey: Boolean(run), bubbles: true }));
+        dispatchEvent(new KeyboardEvent(down ? 'keydown' : 'keyup', { code, shiftKey: held.has(shift), bubbles: true }));
     };
     const { view } = window.vicus, deadline = performance.now() + 1000 * seconds;
     let reached = 0, pose = view.pose();
@@ -122,12 +126,13 @@ async function pressKeys({ metres, run, within, seconds, turnOnly }) {
             ++reached;
             continue;
         }
+        press(shift, Boolean(run) && Math.hypot(east, north) > 3);
         press('KeyQ', turn < -0.1);
         press('KeyE', turn > 0.1);
         press('KeyW', !turnOnly && Math.abs(turn) < 0.4);
         await new Promise(requestAnimationFrame);
     }
-    for (const code of ['KeyQ', 'KeyE', 'KeyW']) press(code, false);
+    for (const code of [...held]) press(code, false);
     return { reached, pose };
 }
 
