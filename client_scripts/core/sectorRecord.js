@@ -45,8 +45,28 @@ function numbers(list, count) {
     return plain && plain.length === count && plain.every(Number.isFinite) ? plain : null;
 }
 
-/** L_1 (paper 004 §5.1): the sector itself, what it lists as visible, and where its gates lead; itself first. */
-export function firstLevel(sector) {
-    const gateNeighbours = (sector.gates ?? []).map(gate => gate.to).filter(Boolean);
-    return [...new Set([sector.id, ...gateNeighbours, ...(sector.visible ?? [])])];
+/**
+ * L_1 (paper 004 §5.1) with what to show of each: id -> 'near' for the sector itself, which comes first, and where its
+ * gates lead; 'tall', its houses that stand above the roofs before them, for what is seen over roofs alone; 'far' for
+ * what else is visible.
+ */
+export function levelsAround(sector) {
+    const levels = new Map([[sector.id, 'near']]);
+    for (const gate of sector.gates ?? []) if (gate.to) levels.set(gate.to, 'near');
+    const overRoofs = new Set(sector.overRoofs);
+    for (const id of sector.visible ?? []) if (!levels.has(id)) levels.set(id, overRoofs.has(id) ? 'tall' : 'far');
+    return levels;
+}
+
+/** A sector's file at a level, without what tells the format: ID, ID.far, ID.tall. Ids have no dots. */
+export function stemOf(id, level) {
+    return level === 'near' ? id : `${id}.${level}`;
+}
+
+export function idOf(stem) {
+    return stem.split('.')[0];
+}
+
+export function levelOf(stem) {
+    return stem.split('.')[1] ?? 'near';
 }

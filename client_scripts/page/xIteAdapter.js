@@ -1,5 +1,6 @@
 import { loadPhase } from '../core/loadPhase.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
+import { levelOf } from '../core/sectorRecord.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
@@ -51,7 +52,7 @@ export class XIteAdapter {
         if (loader.sector_changed) callback(loader.sector_changed);
     }
 
-    /** Every sector the world has a place for: { id, phase, record }, record null unless it is there. */
+    /** Every file the world has a place for: { stem, phase, record }, record null unless a near one is there. */
     sectors() {
         const places = Array.from(this.browser.currentScene.getNamedNode('WORLD').children);
         return places.flatMap(place => Array.from(place.children ?? []))
@@ -59,12 +60,12 @@ export class XIteAdapter {
     }
 
     sectorOf(inline) {
-        const id = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
+        const stem = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
         const phase = loadPhase(inline.load, inline.getValue().checkLoadState());
-        if (phase !== 'live') return { id, phase, record: null };
+        if (phase !== 'live' || levelOf(stem) !== 'near') return { stem, phase, record: null };
         const scene = inline.getValue().getInternalScene();
         if (!this.records.has(scene)) this.records.set(scene, readOrNull(scene));
-        return { id, phase, record: this.records.get(scene) };
+        return { stem, phase, record: this.records.get(scene) };
     }
 
     pose() {

@@ -23,11 +23,11 @@ export class Visitor {
         return this.page.evaluate(() => window.vicus.visit.firstStreetAt);
     }
 
-    /** { current, pose, live, asked, failed } now. */
+    /** { current, pose, live, asked, failed } now; the last three are files by their stems: ID, ID.far, ID.tall. */
     now() {
         return this.page.evaluate(() => {
             const { view, visit } = window.vicus, sectors = view.sectors();
-            const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ id }) => id).sort();
+            const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ stem }) => stem).sort();
             const [live, asked, failed] = [of('live'), of('live', 'loading'), of('failed')];
             return { current: visit.current, pose: view.pose(), live, asked, failed };
         });
@@ -73,7 +73,7 @@ export class Visitor {
         await this.page.keyboard.up(key);
     }
 
-    /** [{ at: ms, current }] and id -> how often its content was given back. */
+    /** [{ at: ms, current }] and stem -> how often the file's content was given back. */
     diary() {
         return this.page.evaluate(() => window.diary);
     }
@@ -101,8 +101,8 @@ function keepDiary() {
         const { visit } = window.vicus;
         if (visit.current && window.diary.sectors.at(-1)?.current !== visit.current)
             window.diary.sectors.push({ at: performance.now(), current: visit.current });
-        const asked = visit.sectors.filter(sector => sector.phase !== 'absent').map(sector => sector.id);
-        for (const id of before) if (!asked.includes(id)) window.diary.unloads[id] = (window.diary.unloads[id] ?? 0) + 1;
+        const asked = visit.sectors.filter(sector => sector.phase !== 'absent').map(sector => sector.stem);
+        for (const stem of before) if (!asked.includes(stem)) window.diary.unloads[stem] = (window.diary.unloads[stem] ?? 0) + 1;
         before = asked;
     };
     look();
