@@ -91,7 +91,8 @@ std::vector<double> root_position(PlanPoint origin) {
 Node place_node(const RecordSource& source, const RootOptions& options, const Sector& sector, std::size_t number) {
   const std::string suffix = std::to_string(number);
   Node inline_node("Inline", "S_" + suffix);
-  if (!options.is_static && options.format != SceneFormat::vrml) inline_node.set("load", false);
+  // The start comes with the world, before the Script runs; the others when it says so.
+  if (!options.is_static && options.format != SceneFormat::vrml && number > 0) inline_node.set("load", false);
   set_bounds(inline_node, source, sector);
   inline_node.set("url", std::vector<std::string>{options.base + sector.id + suffix_of(options.format)});
   Node place("Transform", "P_" + suffix);

@@ -16,18 +16,18 @@ export class InlineSectors {
         this.inlines = new Map(Array.from(ids).map((id, i) => [id, inlines[i]]));
     }
 
-    show(id, origin) {
-        const inline = this.inlines.get(id) ?? this.create(id, origin);
-        if (inline.load) inline.url = inline.url;   // a failed Inline starts again only when its url is set
-        else inline.load = true;
+    show(stem, origin) {
+        const inline = this.inlines.get(stem) ?? this.create(stem, origin);
+        if (!inline.load) inline.load = true;
+        else if (this.phase(stem) === 'failed') inline.url = inline.url;   // only so does it start again
     }
 
-    hide(id) {
-        this.inlines.get(id).load = false;
+    hide(stem) {
+        this.inlines.get(stem).load = false;
     }
 
-    phase(id) {
-        const inline = this.inlines.get(id);
+    phase(stem) {
+        const inline = this.inlines.get(stem);
         return loadPhase(inline.load, inline.getValue().checkLoadState());
     }
 
