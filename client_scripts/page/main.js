@@ -40,7 +40,9 @@ function step(view, walker, controls, frameRate, now) {
     const records = visit.sectors.map(sector => sector.record).filter(Boolean);
     walker.setGround(records);
     const hasMoved = walker.step(controls.wish(), seconds);
-    if (hasMoved && records.length === before) frameRate.add(seconds);
+    const isSettled = records.length > 0 && visit.sectors.every(sector => sector.phase !== 'loading');
+    if (!hasMoved) frameRate.rest(isSettled ? seconds : 0);
+    else if (records.length === before) frameRate.add(seconds);
     show(records);
 }
 
