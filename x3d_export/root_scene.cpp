@@ -201,6 +201,7 @@ std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& o
   Scene scene;
   scene.title = std::string("city") + suffix_of(options.format);
   scene.metas.emplace_back("description", name + ": walk through it street by street");
+  if (!source.meta("name").empty()) scene.metas.emplace_back("subject", source.meta("name"));
   for (auto& meta : rights_of(source)) scene.metas.push_back(std::move(meta));
   Node info("WorldInfo");
   std::vector<std::string> lines;

@@ -14,7 +14,9 @@ async function start() {
     hud.showProgress(0.1);
     const view = await XIteAdapter.create(document.getElementById('city'));
     hud.showProgress(0.3);
+    const frameRate = new FrameRate(scale => view.setContentScale(scale), view.isSoftwareRenderer());
     await view.load(rootUrl(place.start));
+    hud.showCity(view.meta('subject'));
     hud.showRights(view.meta('rights'));
     view.onSectorChanged(id => { visit.current = id; });
     visit.homePose = view.pose();
@@ -22,7 +24,6 @@ async function start() {
     const walker = new Walker(view);
     const controls = new Controls(document.getElementById('window'), document.getElementById('stick'), commandsFor(view));
     document.getElementById('share').addEventListener('click', () => share(view));
-    const frameRate = new FrameRate(scale => view.setContentScale(scale), view.isSoftwareRenderer());
     document.getElementById('window').focus();
     window.vicus = { view, walker, controls, visit };   // for tests and the curious
     const frame = time => {

@@ -1,28 +1,16 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
+#include "tests/support/program.hpp"
 #include "tests/support/sample_city.hpp"
-#include "tests/support/scratch.hpp"
 
 namespace vicus {
 namespace {
 
 using nlohmann::json;
-
-/// `vicus ARGUMENTS`: exit code, stdout and stderr.
-struct Outcome {
-  int rc = -1;
-  std::string out, errors;
-};
-
-Outcome vicus_program(const test::ScratchDirectory& scratch, const std::string& arguments) {
-  const std::string out = (scratch / "out").string(), errors = (scratch / "err").string();
-  const int status = std::system((VICUS_PROGRAM " " + arguments + " >'" + out + "' 2>'" + errors + "'").c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_bytes(out), test::read_bytes(errors)};
-}
+using test::vicus_program;
 
 std::string sample_file(const test::ScratchDirectory& scratch) {
   City city = test::sample_city();
