@@ -11,8 +11,6 @@
 /// Finding the records of a city by sector.
 namespace vicus {
 
-PlanBox box_of(const Polygon& polygon);
-
 /// Somewhere on the ground, away from its edge where it can be: the middle of the largest triangle.
 /// Needs   a ground with points (assert).
 PlanPoint point_inside(const Sector& sector);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "x3d_export/colours.hpp"
 #include "x3d_export/frames.hpp"
 #include "x3d_export/record.hpp"
@@ -70,8 +71,7 @@ void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
   PlanBox box = box_of(sector.ground);
   double top_m = kTallest_m;
   // Facades on this ground's edge may belong to houses whose roofs other sectors send: they count for the height only.
-  const std::int32_t reach = lattice_mm(kReach_m);
-  const PlanBox around{{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
+  const PlanBox around = grown(box, lattice_mm(kReach_m));
   for (const auto& house : source.houses_in(around)) {
     top_m = std::max(top_m, house.height_m);
     if (house.sector_id == sector.id)

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/svg_paper.hpp"
 #include "x3d_export/text.hpp"
@@ -29,16 +30,6 @@ constexpr const char *kHouse = "#b3a89c", *kHouseLine = "#7d736a", *kWater = "#a
                      *kFence = "#a0825f", *kBank = "#3f86b5", *kAxis = "#333333", *kDomain = "#f1efea",
                      *kIsland = "#c9d8b6", *kYard = "#e2ddd2";
 
-bool meet(const PlanBox& a, const PlanBox& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
-PlanBox box_of(const std::vector<PlanPoint>& line) {
-  PlanBox box;
-  for (const auto& p : line) box.add(p);
-  return box;
-}
-
 PlanBox whole_box(const City& city) {
   PlanBox box;
   for (const auto& polygon : city.domain)
@@ -48,8 +39,7 @@ PlanBox whole_box(const City& city) {
   for (const auto& b : city.buildings)
     for (const auto& p : b.footprint.outer) box.add(p);
   if (box.is_empty()) box.add({0, 0});
-  const std::int32_t margin = lattice_mm(kMargin_m);
-  return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+  return grown(box, lattice_mm(kMargin_m));
 }
 
 /// Hue numbers by sector: a hash of the id, moved on while a gate neighbour has it.
@@ -130,7 +120,7 @@ class MapDrawing {
   }
 
  private:
-  bool is_shown(const Polygon& polygon) const { return meet(vicus::box_of(polygon), box_); }
+  bool is_shown(const Polygon& polygon) const { return meet(box_of(polygon), box_); }
   bool is_shown(const std::vector<PlanPoint>& line) const { return meet(box_of(line), box_); }
 
   void draw_sectors() {
