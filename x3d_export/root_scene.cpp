@@ -134,7 +134,7 @@ std::vector<Node> surroundings() {
   // A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
   sun.set("direction", std::vector<double>{0.6, -0.5, -0.5}).set("intensity", 1.0);
   sky_light.set("direction", std::vector<double>{0.12, -0.3, 0.75}).set("intensity", 0.75);
-  street_light.set("direction", std::vector<double>{-0.7, 0.2, -0.27}).set("intensity", 0.65);
+  street_light.set("direction", std::vector<double>{-0.6, 0.45, -0.25}).set("intensity", 0.65);
   return {navigation, sky, sun, sky_light, street_light};
 }
 
