@@ -1,4 +1,5 @@
 #include "city_db/geometry_blob.hpp"
+#include "city_db/boxes.hpp"
 
 #include <bit>
 #include <cassert>
@@ -138,12 +139,6 @@ Ring read_ring(BlobReader& in) {
 }
 
 }  // namespace
-
-PlanBox box_of(const std::vector<PlanPoint>& points) {
-  PlanBox box;
-  for (PlanPoint p : points) box.add(p);
-  return box;
-}
 
 std::string encode_point(PlanPoint point) {
   BlobWriter out(kWkbPoint, box_of({point}));

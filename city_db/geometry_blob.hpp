@@ -26,6 +26,4 @@ std::optional<PlanPoint> decode_point(std::string_view blob);
 std::optional<std::vector<PlanPoint>> decode_line(std::string_view blob);
 std::optional<Polygon> decode_polygon(std::string_view blob);
 
-PlanBox box_of(const std::vector<PlanPoint>& points);
-
 }  // namespace vicus

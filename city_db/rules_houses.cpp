@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "city_db/boxes.hpp"
 #include "city_db/rules_cells.hpp"
 #include "city_db/rules_parts.hpp"
 
@@ -54,17 +55,6 @@ bool passes_through(PlanPoint a, PlanPoint b, const Polygon& footprint) {
   return false;
 }
 
-PlanBox box_of(const Ring& ring) {
-  PlanBox box;
-  for (const auto p : ring) box.add(p);
-  return box;
-}
-
-bool boxes_meet(const PlanBox& box, PlanPoint a, PlanPoint b) {
-  return std::max(a.x, b.x) >= box.min.x && std::min(a.x, b.x) <= box.max.x && std::max(a.y, b.y) >= box.min.y &&
-         std::min(a.y, b.y) <= box.max.y;
-}
-
 }  // namespace
 
 void check_houses_whole(const City& city, Findings& findings) {
@@ -83,7 +73,7 @@ void check_houses_whole(const City& city, Findings& findings) {
       near.clear();
       houses.visit_segment(a, b, [&](std::int32_t ix, std::int32_t iy) {
         for (const auto i : houses.ids_at(ix, iy))
-          if (boxes_meet(boxes[i], a, b)) near.push_back(i);
+          if (meet(boxes[i], box_of(a, b))) near.push_back(i);
       });
       std::sort(near.begin(), near.end());
       near.erase(std::unique(near.begin(), near.end()), near.end());

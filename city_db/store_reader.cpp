@@ -1,3 +1,4 @@
+#include "city_db/boxes.hpp"
 #include "city_db/store.hpp"
 #include "city_db/store_open.hpp"
 #include "city_db/store_records.hpp"
@@ -19,11 +20,6 @@ class InUse {
  private:
   Statement& statement_;
 };
-
-bool meets(const PlanBox& a, const PlanBox& b) {
-  return !a.is_empty() && !b.is_empty() && a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y &&
-         b.min.y <= a.max.y;
-}
 
 }  // namespace
 
@@ -72,7 +68,7 @@ struct CityReader::Impl {
     while (rows.size() < limit && row->step()) {
       Record record;
       read_record(*row, record);
-      if (!meets(box_of_record(record), box)) continue;
+      if (!meet(box_of_record(record), box)) continue;
       if (skipped < offset)
         ++skipped;
       else

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "city_db/boxes.hpp"
 #include "city_db/geometry_blob.hpp"
 #include "city_db/json_text.hpp"
 

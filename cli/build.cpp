@@ -11,6 +11,7 @@
 
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
+#include "sectorgen/geo/map_name.hpp"
 #include "x3d_export/package.hpp"
 
 namespace vicus::cli {
@@ -18,7 +19,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, boundary, buildings, streets, origin, important, terrain;
+  std::string output, name, boundary, buildings, streets, origin, important, terrain;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -86,12 +87,16 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   };
   std::vector<std::string> names;
   for (const auto& input : arguments.inputs) names.push_back(std::filesystem::path(input).filename().string());
+  city.meta["name"] = !arguments.name.empty() ? arguments.name
+                      : !map.name.empty()     ? map.name
+                                              : name_from_file(names.front());
   if (!arguments.terrain.empty()) names.push_back(std::filesystem::path(arguments.terrain).filename().string());
   city.meta["sources"] = lines(names);
   city.meta["licences"] = lines(map.licences);
   city.meta["program_version"] = VICUS_VERSION;
   city.meta["budget_bytes"] = std::to_string(std::uint64_t{arguments.budget_kb} * 1000);
   nlohmann::json options = {{"budget_kb", arguments.budget_kb}};
+  if (!arguments.name.empty()) options["name"] = arguments.name;
   if (!arguments.origin.empty()) options["origin"] = arguments.origin;
   if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
@@ -194,6 +199,7 @@ void add_build(CLI::App& app, Context& context) {
                    "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf")
       ->required();
   command->add_option("-o,--output", arguments->output, "the city file to write")->required();
+  command->add_option("--name", arguments->name, "the city's name; else the map's own, else the first file's");
   command->add_option("--boundary", arguments->boundary, "a polygon file: what belongs to the city");
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");

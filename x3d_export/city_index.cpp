@@ -1,4 +1,5 @@
 #include "x3d_export/city_index.hpp"
+#include "city_db/boxes.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -27,17 +28,7 @@ std::vector<T> copies(const std::vector<const T*>& list) {
   return out;
 }
 
-bool meet(const PlanBox& a, const PlanBox& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 }  // namespace
-
-PlanBox box_of(const Polygon& polygon) {
-  PlanBox box;
-  for (const auto& p : polygon.outer) box.add(p);
-  return box;
-}
 
 PlanPoint point_inside(const Sector& sector) {
   assert(!sector.ground.outer.empty());
@@ -121,6 +112,7 @@ RecordSource source_of(const CityIndex& index) {
   };
   source.gates_of = [&index](const std::string& id) { return copies(index.gates_of(id)); };
   source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
+  source.objects_of = [&index](const std::string& id) { return copies(index.objects_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
   source.houses_in = [&index](const PlanBox& box) {
     std::vector<Building> houses;

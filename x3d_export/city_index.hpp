@@ -12,8 +12,6 @@
 /// Finding the records of a city by sector.
 namespace vicus {
 
-PlanBox box_of(const Polygon& polygon);
-
 /// Somewhere on the ground, away from its edge where it can be: the middle of the largest triangle.
 /// Needs   a ground with points (assert).
 PlanPoint point_inside(const Sector& sector);
@@ -23,6 +21,7 @@ struct RecordSource {
   std::function<std::optional<Sector>(const std::string& id)> sector;
   std::function<std::vector<Gate>(const std::string& sector_id)> gates_of;
   std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
+  std::function<std::vector<StandaloneObject>(const std::string& sector_id)> objects_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
   std::function<std::vector<std::string>()> sector_ids;

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "city_db/boxes.hpp"
+#include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -48,6 +50,10 @@ Json json_of(const Viewpoint& v) {
           {"eye", v.eye_m},         {"heading", v.heading_deg}};
 }
 
+std::vector<double> values_of(const Body& body) {
+  return {metres(body.at.x), metres(body.at.y), metres(lattice_mm(body.radius_m))};
+}
+
 Node metadata(const char* type, const std::string& name, FieldValue value) {
   Node node(type);
   node.set("name", FieldValue(name)).set("value", std::move(value));
@@ -82,7 +88,7 @@ Node neighbour_node(const SectorNeighbour& neighbour) {
 }  // namespace
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
-  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}};
+  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}};
   std::set<std::string> behind;
   for (const auto& g : record.gates)
     if (!g.to_sector_id.empty()) behind.insert(g.to_sector_id);
@@ -100,13 +106,15 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
     if (const auto other = id == sector.id ? std::nullopt : source.sector(id))
       record.neighbours.push_back({id, other->origin, box_of(other->ground)});
   record.viewpoints = source.viewpoints_of(sector.id);
+  for (const auto& object : source.objects_of(sector.id))
+    if (const double radius_m = body_radius_m(object); radius_m > 0) record.bodies.push_back({object.at, radius_m});
   return record;
 }
 
 std::string record_json(const SectorRecord& record) {
   const Sector& s = record.sector;
   Json names = Json::array(), ground = Json::array(), gates = Json::array(), neighbours = Json::array(),
-       viewpoints = Json::array(), reasons = Json::object();
+       viewpoints = Json::array(), bodies = Json::array(), reasons = Json::object();
   for (const auto& name : s.names) names.push_back(clean_text(name));
   ground.push_back(json_of(s.ground.outer));
   for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
@@ -115,6 +123,7 @@ std::string record_json(const SectorRecord& record) {
     neighbours.push_back({{"id", n.id}, {"origin", values_of(n.origin)}, {"box", values_of(n.box)}});
   for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
   for (const auto& [id, reason] : record.reasons) reasons[id] = name_of(reason);
+  for (const auto& b : record.bodies) bodies.push_back(values_of(b));
   const Json json = {{"id", s.id},
                      {"kind", name_of(s.kind)},
                      {"name", clean_text(s.name)},
@@ -125,6 +134,7 @@ std::string record_json(const SectorRecord& record) {
                      {"ground", ground},
                      {"gates", gates},
                      {"neighbours", neighbours},
+                     {"bodies", bodies},
                      {"visible", record.visible},
                      {"over_roofs", record.over_roofs},
                      {"unresolved", record.unresolved},
@@ -149,6 +159,10 @@ Node record_node(const SectorRecord& record) {
     for (const auto& p : hole) append_plan(points, p);
   }
   node.add("value", counts("ground_counts", ring_sizes)).add("value", numbers("ground", points));
+  std::vector<double> bodies;
+  for (const auto& b : record.bodies)
+    for (const double v : values_of(b)) bodies.push_back(v);
+  if (!bodies.empty()) node.add("value", numbers("bodies", std::move(bodies)));
   for (const auto& g : record.gates) node.add("value", gate_node(g));
   for (const auto& n : record.neighbours) node.add("value", neighbour_node(n));
   node.add("value", texts("visible", record.visible));

@@ -18,6 +18,12 @@ struct SectorNeighbour {
   PlanBox box;
 };
 
+/// A disc on the ground that a visitor cannot enter: what stands there.
+struct Body {
+  PlanPoint at;
+  double radius_m = 0;
+};
+
 struct SectorRecord {
   Sector sector;
   PlanBox box;
@@ -28,6 +34,7 @@ struct SectorRecord {
   std::map<std::string, VisibleReason> reasons;  ///< of each in `visible`
   std::vector<std::string> over_roofs, unresolved;  ///< of `visible`: seen only above roofs; of these: not proven
   std::vector<Viewpoint> viewpoints;
+  std::vector<Body> bodies;  ///< of the sector's objects, in their order
 };
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes);

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "x3d_export/colours.hpp"
 #include "x3d_export/frames.hpp"
 #include "x3d_export/record.hpp"
@@ -93,8 +94,7 @@ void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
   PlanBox box = box_of(sector.ground);
   double top_m = kTallest_m;
   // Facades on this ground's edge may belong to houses whose roofs other sectors send: they count for the height only.
-  const std::int32_t reach = lattice_mm(kReach_m);
-  const PlanBox around{{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
+  const PlanBox around = grown(box, lattice_mm(kReach_m));
   for (const auto& house : source.houses_in(around)) {
     top_m = std::max(top_m, house.height_m);
     if (house.sector_id == sector.id)
@@ -116,7 +116,8 @@ Node place_node(const RecordSource& source, const RootOptions& options, const In
   const Sector& sector = initial.sector;
   const std::string suffix = std::to_string(number);
   Node inline_node("Inline", "S_" + suffix);
-  if (!options.is_static && options.format != SceneFormat::vrml) inline_node.set("load", false);
+  // The start comes with the world, before the Script runs; the others when it says so.
+  if (!options.is_static && options.format != SceneFormat::vrml && number > 0) inline_node.set("load", false);
   set_bounds(inline_node, source, sector);
   inline_node.set("url", std::vector<std::string>{options.base + sector.id + (initial.is_tall ? ".tall" : "") +
                                                   suffix_of(options.format)});
@@ -159,7 +160,7 @@ std::vector<Node> surroundings() {
   // A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
   sun.set("direction", std::vector<double>{0.6, -0.5, -0.5}).set("intensity", 1.0);
   sky_light.set("direction", std::vector<double>{0.12, -0.3, 0.75}).set("intensity", 0.75);
-  street_light.set("direction", std::vector<double>{-0.7, 0.2, -0.27}).set("intensity", 0.65);
+  street_light.set("direction", std::vector<double>{-0.6, 0.45, -0.25}).set("intensity", 0.65);
   return {navigation, sky, sun, sky_light, street_light};
 }
 
@@ -226,6 +227,7 @@ std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& o
   Scene scene;
   scene.title = std::string("city") + suffix_of(options.format);
   scene.metas.emplace_back("description", name + ": walk through it street by street");
+  if (!source.meta("name").empty()) scene.metas.emplace_back("subject", source.meta("name"));
   for (auto& meta : rights_of(source)) scene.metas.push_back(std::move(meta));
   Node info("WorldInfo");
   std::vector<std::string> lines;

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
 namespace {
 
-constexpr double kParapet_m = 0.9;            // a bank's rail: one looks over it
-constexpr double kKerb_m = 0.15;              // an edge without a wall
-constexpr double kFence_m = 1.5;              // where the map names no height
-constexpr double kBackdrop_m = 15;            // hides what is not there, as high as the houses of an old town
-constexpr double kTree_m = 8, kLamp_m = 4.5;  // typical, where the map names no height
+constexpr double kParapet_m = 0.9;  // a bank's rail: one looks over it
+constexpr double kKerb_m = 0.15;    // an edge without a wall
+constexpr double kFence_m = 1.5;    // where the map names no height
+constexpr double kBackdrop_m = 15;  // hides what is not there, as high as the houses of an old town
 
 using Line = std::vector<PlanPoint>;
 
@@ -113,44 +113,10 @@ void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector)
   }
 }
 
-void add_tree(FaceList& faces, const StandaloneObject& tree) {
-  constexpr Colour kTrunk{94, 74, 56};
-  constexpr Colour kCrowns[] = {{74, 104, 52}, {88, 116, 58}, {66, 94, 56}, {98, 122, 66}};
-  const Colour crown = kCrowns[steady_hash(tree.id) % std::size(kCrowns)];
-  const double h = tree.height_m > 0 ? tree.height_m : kTree_m, radius_m = std::min(0.3 * h, 4.0);
-  faces.add_spindle(tree.at, 3, 0.02 * h, 0.02 * h, 0, 0.4 * h, kTrunk);
-  faces.add_spindle(tree.at, 5, 0, radius_m, 0.28 * h, 0.55 * h, crown);
-  faces.add_spindle(tree.at, 5, radius_m, 0, 0.55 * h, h, crown);
-}
-
-void add_lamp(FaceList& faces, const StandaloneObject& lamp) {
-  constexpr Colour kPost{60, 66, 62}, kGlass{236, 228, 200};
-  const double h = lamp.height_m > 0 ? lamp.height_m : kLamp_m;
-  faces.add_spindle(lamp.at, 3, 0.08, 0.05, 0, h - 0.6, kPost);
-  faces.add_spindle(lamp.at, 4, 0.06, 0.2, h - 0.6, h - 0.2, kGlass);
-  faces.add_spindle(lamp.at, 4, 0.22, 0, h - 0.2, h, kPost);
-}
-
 void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector) {
-  constexpr Colour kStone{176, 170, 158}, kWater{122, 158, 176}, kBronze{86, 96, 86}, kWood{128, 98, 68};
-  for (const StandaloneObject* object : index.objects_of(sector.id)) {
-    if (object->kind == "tree") {
-      add_tree(faces, *object);
-    } else if (object->kind == "street_lamp") {
-      add_lamp(faces, *object);
-    } else if (object->kind == "fountain") {
-      faces.add_spindle(object->at, 8, 1.6, 1.6, 0, 0.5, kStone);
-      faces.add_spindle(object->at, 8, 1.6, 0, 0.5, 0.51, kWater);
-      faces.add_spindle(object->at, 6, 0.2, 0, 0.4, 2.2, kStone);
-    } else if (object->kind == "bench") {
-      faces.add_spindle(object->at, 4, 0.5, 0.5, 0, 0.45, kWood);
-      faces.add_spindle(object->at, 4, 0.5, 0, 0.45, 0.46, kWood);
-    } else if (object->kind == "statue" || object->kind == "monument" || object->kind == "memorial") {
-      faces.add_spindle(object->at, 4, 0.7, 0.6, 0, 1.4, kStone);
-      faces.add_spindle(object->at, 4, 0.6, 0, 1.4, 1.41, kStone);
-      faces.add_spindle(object->at, 6, 0.35, 0, 1.4, 3.4, kBronze);
-    }
-  }
+  for (const StandaloneObject* object : index.objects_of(sector.id))
+    for (const auto& s : spindles_of(*object))
+      faces.add_spindle(object->at, s.sides, s.radius_low_m, s.radius_high_m, s.low_m, s.high_m, s.colour);
 }
 
 /// Paper 004 §4.1.4: out of the city a gate is a solid face, an obstacle.

@@ -9,6 +9,8 @@
 namespace vicus {
 namespace {
 
+/// rad, up and down: in a narrow street one sees the eaves and the ground at once.
+constexpr double kFieldOfView = 0.95;
 constexpr int kMostParts = 1000;  // a stop for the loop; 100 MB of one sector
 
 struct SectorParts {
@@ -116,6 +118,7 @@ Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& pla
   Node node("Viewpoint");
   node.set("description", FieldValue(caption_of(v.name.empty() ? place : v.name)));
   node.set("position", std::vector<double>{metres(p.x), metres(p.y), metres(p.z)});
+  node.set("fieldOfView", kFieldOfView);
   return node.set("orientation", std::vector<double>{0, 1, 0, x3d_yaw_from_heading(v.heading_deg)});
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/svg_lvis.hpp"
 #include "x3d_export/svg_paper.hpp"
@@ -30,21 +31,6 @@ constexpr const char *kHouse = "#b3a89c", *kHouseLine = "#7d736a", *kWater = "#a
                      *kFence = "#a0825f", *kBank = "#3f86b5", *kAxis = "#333333", *kDomain = "#f1efea",
                      *kIsland = "#c9d8b6", *kYard = "#e2ddd2";
 
-bool meet(const PlanBox& a, const PlanBox& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
-PlanBox box_of(const std::vector<PlanPoint>& line) {
-  PlanBox box;
-  for (const auto& p : line) box.add(p);
-  return box;
-}
-
-PlanBox widened(const PlanBox& box, double by_m) {
-  const std::int32_t margin = lattice_mm(by_m);
-  return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
-}
-
 PlanBox whole_box(const City& city) {
   PlanBox box;
   for (const auto& polygon : city.domain)
@@ -54,7 +40,7 @@ PlanBox whole_box(const City& city) {
   for (const auto& b : city.buildings)
     for (const auto& p : b.footprint.outer) box.add(p);
   if (box.is_empty()) box.add({0, 0});
-  return widened(box, kMargin_m);
+  return grown(box, lattice_mm(kMargin_m));
 }
 
 /// Around every listed sector.
@@ -63,7 +49,7 @@ PlanBox listed_box(const City& city, const LvisLooks& looks) {
   for (const auto& s : city.sectors)
     if (looks.lists(s.id))
       for (const auto& p : s.ground.outer) box.add(p);
-  return widened(box, kListedMargin_m);
+  return grown(box, lattice_mm(kListedMargin_m));
 }
 
 /// Hue numbers by sector: a hash of the id, moved on while a gate neighbour has it.
@@ -147,7 +133,7 @@ class MapDrawing {
   }
 
  private:
-  bool is_shown(const Polygon& polygon) const { return meet(vicus::box_of(polygon), box_); }
+  bool is_shown(const Polygon& polygon) const { return meet(box_of(polygon), box_); }
   bool is_shown(const std::vector<PlanPoint>& line) const { return meet(box_of(line), box_); }
 
   void draw_house(const Building& b) {

@@ -1,6 +1,6 @@
 import { boxContains, distance, isInside, latticePoint, nearestOnSegment, orient, segmentsMeet } from './planGeometry.js';
 
-/** mm: a visitor's half width in plan; a little more than the 3D collision's, so that the two never quarrel. */
+/** mm: a visitor's half width in plan. */
 export const kVisitorRadiusMm = 300;
 const kPushes = 6;
 /** mm a clearance may be short after pushing: six pushes in a corner converge to less than this. */
@@ -9,12 +9,13 @@ const kClearanceSlackMm = 2;
 const kRescueMm = 5000;
 
 /**
- * Walls in plan: every ground edge of the sectors that are there, but the gates between two of them.
+ * What stops a visitor in plan. Walls: every ground edge of the sectors that are there, but the gates between two of
+ * them. Bodies: what stands on the ground (a trunk, a lamp, a bench), each a disc.
  *
  * Frame   plan lattice, mm. A wall has its ground on the left.
  * Needs   sectors with ground (sectorFromRecord); a gate's edges are edges of the ground, same vertices.
- * Holds   constrain(p, q) is on the ground, no wall lies between p and it, and it keeps `radius` from every wall,
- *         or p's own clearance where p has less: a walker in a crack may leave it.
+ * Holds   constrain(p, q) is on the ground, no wall lies between p and it, and it keeps `radius` from every wall and
+ *         body, or p's own clearance where p has less: a walker in a crack may leave it.
  */
 export class GroundWalls {
     constructor(sectors, radius = kVisitorRadiusMm) {
@@ -22,6 +23,12 @@ export class GroundWalls {
         this.radius = radius;
         this.sectors = sectors;
         this.walls = sectors.flatMap(sector => wallsOf(sector, there));
+        this.bodies = sectors.flatMap(sector => sector.bodies);
+    }
+
+    /** The same walls and no bodies. */
+    withoutBodies() {
+        return Object.assign(Object.create(GroundWalls.prototype), this, { bodies: [] });
     }
 
     isOnGround(point) {
@@ -29,45 +36,53 @@ export class GroundWalls {
         return this.sectors.some(sector => boxContains(sector.box, at) && isInside(sector.ground, at));
     }
 
-    /** Distance to the nearest wall. */
-    clearance(point, walls = this.walls) {
+    /** Distance to the nearest wall or body; below 0 within a body. */
+    clearance(point, walls = this.walls, bodies = this.bodies) {
         let least = Infinity;
         for (const [a, b] of walls) least = Math.min(least, distance(nearestOnSegment(a, b, point), point));
+        for (const { at, radius } of bodies) least = Math.min(least, distance(at, point) - radius);
         return least;
+    }
+
+    /** What lies within `reach` of a point: [walls, bodies]. */
+    around(point, reach) {
+        return [
+            this.walls.filter(([a, b]) => distance(nearestOnSegment(a, b, point), point) <= reach),
+            this.bodies.filter(({ at, radius }) => distance(at, point) - radius <= reach)];
     }
 
     /** Where a visitor who wants to go from `from` to `to` gets: as far as the walls let, sliding along them. */
     constrain(from, to) {
         if (!this.isOnGround(from)) return this.rescue(from);
-        const reach = distance(from, to) + 2 * this.radius;
-        const walls = this.walls.filter(([a, b]) => distance(nearestOnSegment(a, b, from), from) <= reach);
+        const near = this.around(from, distance(from, to) + 2 * this.radius);
         const steps = Math.max(1, Math.ceil(distance(from, to) / (this.radius / 2)));
         const step = [(to[0] - from[0]) / steps, (to[1] - from[1]) / steps];
         let at = from;
         for (let i = 0; i < steps; ++i) {
-            const next = this.stepTo(at, [at[0] + step[0], at[1] + step[1]], walls);
+            const next = this.stepTo(at, [at[0] + step[0], at[1] + step[1]], near);
             if (next === at) break;
             at = next;
         }
         return at;
     }
 
-    stepTo(at, goal, walls) {
-        const needed = Math.min(this.radius, this.clearance(at, walls)) - kClearanceSlackMm;
+    stepTo(at, goal, [walls, bodies]) {
+        const needed = Math.min(this.radius, this.clearance(at, walls, bodies)) - kClearanceSlackMm;
         for (const share of [1, 0.5, 0.25]) {
             const aim = [at[0] + share * (goal[0] - at[0]), at[1] + share * (goal[1] - at[1])];
-            const pushed = this.pushOut(at, aim, walls);
+            const pushed = this.pushOut(at, aim, walls, bodies);
             if (walls.every(([a, b]) => !segmentsMeet(at, pushed, a, b) || touches(a, b, at))
-                && this.clearance(pushed, walls) >= needed && this.isOnGround(pushed)) return pushed;
+                && this.clearance(pushed, walls, bodies) >= needed && this.isOnGround(pushed)) return pushed;
         }
         return at;
     }
 
-    /** `goal` moved off every wall it comes too near, to the side `at` is on. */
-    pushOut(at, goal, walls) {
+    /** `goal` moved off every wall and body it comes too near, to the side of a wall that `at` is on. */
+    pushOut(at, goal, walls, bodies) {
         let point = goal;
         for (let i = 0; i < kPushes; ++i) {
             const before = point;
+            for (const body of bodies) point = pushOffBody(body, point, this.radius);
             for (const [a, b] of walls) point = pushOff(a, b, at, point, this.radius);
             if (point === before) break;
         }
@@ -109,6 +124,12 @@ function pushOff(a, b, at, point, radius) {
     if (gap > 0 && !isThrough) return [near[0] + east / gap * radius, near[1] + north / gap * radius];
     const length = distance(a, b) || 1;
     return [near[0] - side * (b[1] - a[1]) / length * radius, near[1] + side * (b[0] - a[0]) / length * radius];
+}
+
+function pushOffBody({ at, radius }, point, gap) {
+    const east = point[0] - at[0], north = point[1] - at[1], far = Math.hypot(east, north);
+    if (far >= radius + gap || far === 0) return point;
+    return [at[0] + east / far * (radius + gap), at[1] + north / far * (radius + gap)];
 }
 
 function touches(a, b, point) {

@@ -16,7 +16,9 @@ export function sectorFromRecord(record) {
     sector.name = record.name ?? '';
     sector.ground = record.ground.map(ring => ring.map(latticePoint));
     sector.gates = (record.gates ?? []).map(gate => gateFromRecord(gate, record.id));
+    sector.bodies = (record.bodies ?? []).map(bodyFromRecord);
     sector.visible = [...(record.visible ?? [])];
+    sector.overRoofs = [...(record.over_roofs ?? [])];
     sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
     return sector;
 }
@@ -34,13 +36,37 @@ function gateFromRecord(gate, sectorId) {
     return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', line: gate.line.map(latticePoint) };
 }
 
+function bodyFromRecord([east, north, radius]) {
+    return { at: latticePoint([east, north]), radius: millimetres(radius) };
+}
+
 function numbers(list, count) {
     const plain = list && Array.from(list).slice(0, count);
     return plain && plain.length === count && plain.every(Number.isFinite) ? plain : null;
 }
 
-/** L_1 (paper 004 §5.1): the sector itself, what it lists as visible, and where its gates lead; itself first. */
-export function firstLevel(sector) {
-    const gateNeighbours = (sector.gates ?? []).map(gate => gate.to).filter(Boolean);
-    return [...new Set([sector.id, ...gateNeighbours, ...(sector.visible ?? [])])];
+/**
+ * L_1 (paper 004 §5.1) with what to show of each: id -> 'near' for the sector itself, which comes first, and where its
+ * gates lead; 'tall', its houses that stand above the roofs before them, for what is seen over roofs alone; 'far' for
+ * what else is visible.
+ */
+export function levelsAround(sector) {
+    const levels = new Map([[sector.id, 'near']]);
+    for (const gate of sector.gates ?? []) if (gate.to) levels.set(gate.to, 'near');
+    const overRoofs = new Set(sector.overRoofs);
+    for (const id of sector.visible ?? []) if (!levels.has(id)) levels.set(id, overRoofs.has(id) ? 'tall' : 'far');
+    return levels;
+}
+
+/** A sector's file at a level, without what tells the format: ID, ID.far, ID.tall. Ids have no dots. */
+export function stemOf(id, level) {
+    return level === 'near' ? id : `${id}.${level}`;
+}
+
+export function idOf(stem) {
+    return stem.split('.')[0];
+}
+
+export function levelOf(stem) {
+    return stem.split('.')[1] ?? 'near';
 }

@@ -10,6 +10,7 @@ export class Hud {
         this.at('help-button').addEventListener('click', () => this.toggleHelp());
         this.at('help-close').addEventListener('click', () => this.toggleHelp(false));
         this.timer = 0;
+        this.city = 'Vicus';
     }
 
     /** The sector's street name; where it has none, its kind alone. */
@@ -19,7 +20,17 @@ export class Hud {
         const detail = record.name ? [kind, ...others].filter(Boolean).join(' · ') : others.join(' · ');
         if (this.at('street').textContent !== street) this.at('street').textContent = street;
         this.at('kind').textContent = detail;
-        document.title = street ? `${street} · Vicus` : 'Vicus';
+        this.setTitle(street);
+    }
+
+    /** `name` may be empty: the city has none. */
+    showCity(name) {
+        this.city = name || 'Vicus';
+        this.setTitle('');
+    }
+
+    setTitle(street) {
+        document.title = street ? `${street} · ${this.city}` : this.city;
     }
 
     showRights(text) {

@@ -14,7 +14,9 @@ async function start() {
     hud.showProgress(0.1);
     const view = await XIteAdapter.create(document.getElementById('city'));
     hud.showProgress(0.3);
+    const frameRate = new FrameRate(scale => view.setContentScale(scale), view.isSoftwareRenderer());
     await view.load(rootUrl(place.start));
+    hud.showCity(view.meta('subject'));
     hud.showRights(view.meta('rights'));
     view.onSectorChanged(id => { visit.current = id; });
     visit.homePose = view.pose();
@@ -22,7 +24,6 @@ async function start() {
     const walker = new Walker(view);
     const controls = new Controls(document.getElementById('window'), document.getElementById('stick'), commandsFor(view));
     document.getElementById('share').addEventListener('click', () => share(view));
-    const frameRate = new FrameRate(scale => view.setContentScale(scale), view.isSoftwareRenderer());
     document.getElementById('window').focus();
     window.vicus = { view, walker, controls, visit };   // for tests and the curious
     const frame = time => {
@@ -40,7 +41,9 @@ function step(view, walker, controls, frameRate, now) {
     const records = visit.sectors.map(sector => sector.record).filter(Boolean);
     walker.setGround(records);
     const hasMoved = walker.step(controls.wish(), seconds);
-    if (hasMoved && records.length === before) frameRate.add(seconds);
+    const isSettled = records.length > 0 && visit.sectors.every(sector => sector.phase !== 'loading');
+    if (!hasMoved) frameRate.rest(isSettled ? seconds : 0);
+    else if (records.length === before) frameRate.add(seconds);
     show(records);
 }
 

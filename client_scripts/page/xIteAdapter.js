@@ -1,15 +1,13 @@
-import { inlinePhase, inlineScene } from '../x3d/xIteInline.js';
-import { recordFromScene } from '../x3d/recordMetadata.js';
+import { loadPhase } from '../core/loadPhase.js';
+import { recordFromMetadata } from '../core/recordMetadata.js';
+import { levelOf } from '../core/sectorRecord.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
-/** Cosine of the angle a walker may turn before a new look ahead: 1.5 degrees, 5 cm aside at its end. */
-const kSameWay = 0.99966;
-
 /**
  * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
- * (getUserPosition, ...), constrainTranslation and the load states are that version's own.
+ * (getUserPosition, ...) and the load states are that version's own.
  *
  * Frame   poses: { east, north, up } in plan metres of the eye, heading and pitch in radians, heading clockwise from
  *         north, pitch up. The root world's axes are x = east, y = up, z = -north.
@@ -29,12 +27,18 @@ export class XIteAdapter {
         this.canvas = canvas;
         this.browser = canvas.browser;
         this.records = new WeakMap();   // an Inline's scene -> its record
-        this.corridor = null;           // { free: m, towards: [east, north] } from the last look ahead
     }
 
-    /** Fails   Error: the world cannot be fetched or read. */
+    /**
+     * Shows the world and takes its navigation: the page moves the eye. X_ITE's own gravity draws the world into a depth
+     * buffer and waits for it, each frame.
+     *
+     * Fails   Error: the world cannot be fetched or read.
+     */
     async load(url) {
         await this.browser.loadURL(new this.X3D.MFString(url));
+        const navigation = this.browser.activeNavigationInfo;
+        if (navigation) navigation.type = new this.X3D.MFString('NONE');
     }
 
     /** The value of <meta name='...'> of the root world, or ''. */
@@ -48,7 +52,7 @@ export class XIteAdapter {
         if (loader.sector_changed) callback(loader.sector_changed);
     }
 
-    /** Every sector the world has a place for: { id, phase, record }, record null unless it is there. */
+    /** Every file the world has a place for: { stem, phase, record }, record null unless a near one is there. */
     sectors() {
         const places = Array.from(this.browser.currentScene.getNamedNode('WORLD').children);
         return places.flatMap(place => Array.from(place.children ?? []))
@@ -56,12 +60,12 @@ export class XIteAdapter {
     }
 
     sectorOf(inline) {
-        const id = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
-        const phase = inlinePhase(inline);
-        if (phase !== 'live') return { id, phase, record: null };
-        const scene = inlineScene(inline);
+        const stem = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
+        const phase = loadPhase(inline.load, inline.getValue().checkLoadState());
+        if (phase !== 'live' || levelOf(stem) !== 'near') return { stem, phase, record: null };
+        const scene = inline.getValue().getInternalScene();
         if (!this.records.has(scene)) this.records.set(scene, readOrNull(scene));
-        return { id, phase, record: this.records.get(scene) };
+        return { stem, phase, record: this.records.get(scene) };
     }
 
     pose() {
@@ -76,33 +80,6 @@ export class XIteAdapter {
         const view = this.browser.activeViewpoint.getValue(), { SFVec3f, SFRotation } = this.X3D;
         view.setUserPosition(new SFVec3f(east, up, -north).getValue());
         view.setUserOrientation(new SFRotation(...axisAngle(heading, pitch)).getValue());
-    }
-
-    /**
-     * As much of the step as bodies in the way let, sliding: [east, north]. Looking ahead draws the world into a depth
-     * buffer and waits for it, so one look serves until its free path is used up or the visitor turns.
-     */
-    constrainStep(step) {
-        const length = Math.hypot(...step), towards = [step[0] / length, step[1] / length];
-        const { browser, corridor, X3D } = this;
-        const sameWay = corridor && towards[0] * corridor.towards[0] + towards[1] * corridor.towards[1] > kSameWay;
-        if (sameWay && corridor.free > length) {
-            corridor.free -= length;
-            return step;
-        }
-        const closest = browser.getClosestObject(new X3D.SFVec3f(towards[0], 0, -towards[1]));
-        const [radius, eyeHeight] = browser.activeNavigationInfo?.avatarSize ?? [0.25, 1.6];
-        const free = Math.min(closest.distance, 2 * eyeHeight) - 2 * radius - length;
-        this.corridor = free > 0 ? { free, towards } : null;
-        if (this.corridor) return step;
-        const constrained = browser.constrainTranslation(new X3D.SFVec3f(step[0], 0, -step[1]));
-        return constrained ? [constrained.x, -constrained.z] : step;
-    }
-
-    /** Gravity and steps are X_ITE's own while it walks; over ground that is not there yet, a walker would fall for ever. */
-    setGravity(isOn) {
-        const type = isOn ? 'WALK' : 'FLY', navigation = this.browser.activeNavigationInfo;
-        if (navigation && navigation.type[0] !== type) navigation.type = new this.X3D.MFString(type, 'ANY');
     }
 
     /** Pixels drawn per CSS pixel. */
@@ -125,7 +102,7 @@ export class XIteAdapter {
 
 function readOrNull(scene) {
     try {
-        return recordFromScene(scene);
+        return recordFromMetadata(scene.getNamedNode('RECORD'));
     } catch {
         return null;   // the LOADER says so and asks again
     }

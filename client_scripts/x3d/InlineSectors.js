@@ -1,14 +1,14 @@
-import { inlinePhase, inlineScene } from './xIteInline.js';
-import { recordFromScene } from './recordMetadata.js';
+import { loadPhase } from '../core/loadPhase.js';
+import { recordFromMetadata } from '../core/recordMetadata.js';
 
 /**
- * Shows and hides sectors as Inlines of the root world: Transform (the sector's origin) > Inline.
+ * Shows and hides sectors' files as Inlines of the root world: Transform (the sector's origin) > Inline.
  *
  * Frame   origins in plan metres, [east, north]; the root world's axes are x = east, y = up, z = -north.
  * Differs paper 004 §5 deletes the Inline (VRML97); X3D has Inline.load, so the nodes stay and only the content goes.
  */
 export class InlineSectors {
-    /** `scene` creates nodes; ids, inlines run in step. */
+    /** `scene` creates nodes; ids, inlines run in step: near files that the root world has a place for. */
     constructor({ scene, world, base, ids, inlines }) {
         this.scene = scene;
         this.world = world;
@@ -16,23 +16,29 @@ export class InlineSectors {
         this.inlines = new Map(Array.from(ids).map((id, i) => [id, inlines[i]]));
     }
 
-    show(id, origin) {
-        const inline = this.inlines.get(id) ?? this.create(id, origin);
-        if (inline.load) inline.url = inline.url;   // a failed Inline starts again only when its url is set
-        else inline.load = true;
+    show(stem, origin) {
+        const inline = this.inlines.get(stem) ?? this.create(stem, origin);
+        if (!inline.load) inline.load = true;
+        else if (this.phase(stem) === 'failed') inline.url = inline.url;   // only so does it start again
     }
 
-    hide(id) {
-        this.inlines.get(id).load = false;
+    hide(stem) {
+        this.inlines.get(stem).load = false;
     }
 
-    phase(id) {
-        return inlinePhase(this.inlines.get(id));
+    phase(stem) {
+        const inline = this.inlines.get(stem);
+        return loadPhase(inline.load, inline.getValue().checkLoadState());
     }
 
-    /** Needs   phase(id) == 'live'. */
-    record(id) {
-        return recordFromScene(inlineScene(this.inlines.get(id)));
+    /** Needs   phase(stem) == 'live'.   Fails   Error: no record in the file. */
+    record(stem) {
+        const scene = this.inlines.get(stem).getValue().getInternalScene();
+        try {
+            return recordFromMetadata(scene.getNamedNode('RECORD'));
+        } catch (error) {
+            throw new Error(`sector ${stem}: its file carries no RECORD that can be read: ${error.message}`);
+        }
     }
 
     makeAlarm(seconds) {
@@ -42,15 +48,15 @@ export class InlineSectors {
         return alarm;
     }
 
-    create(id, origin) {
+    create(stem, origin) {
         const place = this.scene.createNode('Transform'), inline = this.scene.createNode('Inline');
         inline.load = false;
-        inline.url[0] = `${this.base}${id}.x3d`;
+        inline.url[0] = `${this.base}${stem}.x3d`;
         place.translation.x = origin[0];
         place.translation.z = -origin[1];
         place.children[0] = inline;
         this.world.children[this.world.children.length] = place;
-        this.inlines.set(id, inline);
+        this.inlines.set(stem, inline);
         return inline;
     }
 }

@@ -1,9 +1,10 @@
 import { SectorPlanner } from '../core/SectorPlanner.js';
+import { idOf, levelOf } from '../core/sectorRecord.js';
 
 /**
  * The loop of paper 004 §5: watches the visitor, does what the planner says, hears what became of it.
  *
- * Needs   `sectors` shows and hides: show(id, origin), hide(id), phase(id), record(id).
+ * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem).
  * Fails   never: a sector that cannot be had is reported to `complain` and asked for again later.
  */
 export class SectorLoader {
@@ -16,29 +17,29 @@ export class SectorLoader {
 
     /** One frame. `position` in plan metres or null, `now` in seconds. Returns the planner's plan. */
     step(position, now) {
-        for (const id of [...this.loading]) this.collect(id, now);
+        for (const stem of [...this.loading]) this.collect(stem, now);
         const plan = this.planner.plan(position, now);
-        for (const id of plan.unload) {
-            this.loading.delete(id);
-            this.sectors.hide(id);
+        for (const stem of plan.unload) {
+            this.loading.delete(stem);
+            this.sectors.hide(stem);
         }
-        for (const id of plan.load) {
-            this.loading.add(id);
-            this.sectors.show(id, this.planner.sectors.get(id).origin);
+        for (const stem of plan.load) {
+            this.loading.add(stem);
+            this.sectors.show(stem, this.planner.sectors.get(idOf(stem)).origin);
         }
         return plan;
     }
 
-    collect(id, now) {
-        const phase = this.sectors.phase(id);
+    collect(stem, now) {
+        const phase = this.sectors.phase(stem);
         if (phase === 'loading' || phase === 'absent') return;
-        this.loading.delete(id);
+        this.loading.delete(stem);
         try {
-            if (phase === 'failed') throw new Error(`sector ${id} cannot be fetched`);
-            this.planner.arrived(id, this.sectors.record(id));
+            if (phase === 'failed') throw new Error(`sector ${stem} cannot be fetched`);
+            this.planner.arrived(stem, levelOf(stem) === 'near' ? this.sectors.record(stem) : null);
         } catch (error) {
             this.complain(error.message);
-            this.planner.failed(id, now);
+            this.planner.failed(stem, now);
         }
     }
 }

@@ -3,7 +3,7 @@ const kPatience = 20;
 
 /**
  * Shows and hides sectors in VRML97, which has no Inline.load: nodes are fetched into a Transform and the Transform is
- * taken away again, as paper 004 §5 does. The record stands in the Anchor around the sector's geometry.
+ * taken away again, as paper 004 §5 does. It has near files only, so stems are ids. The record stands in the Anchor around the sector's geometry.
  *
  * Needs   `browser` (createVrmlFromString, createVrmlFromURL), `nodes` (makes an MFNode of one node), `strings` (an
  *         MFString of one text).

@@ -20,7 +20,7 @@ function initialize() {
         ? new VrmlSectors({ browser: Browser, world, base, ids, places,
             nodes: node => new MFNode(node), strings: text => new MFString(text) })
         : new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines });
-    loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text) });
+    loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text), nearOnly: isVrml97 });
     Array.from(ids).forEach((id, i) => loader.planner.addNeighbour({
         id, origin: [origins[i].x, -origins[i].z], box: boxOf(origins[i], inlines[i]) }));
     alarm = sectors.makeAlarm(kRing);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geo/box_pairs.hpp"
 #include "sectorgen/geo/neighbours.hpp"
 #include "sectorgen/geo/repair.hpp"
@@ -46,10 +47,6 @@ bool is_near(PlanPoint p, const PlanBox& box) {
          p.y <= box.max.y + kReach;
 }
 
-PlanBox box_of_edge(PlanPoint a, PlanPoint b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
 /// What of the earlier houses lies near one house.
 struct Surroundings {
   struct Vertex {
@@ -68,7 +65,7 @@ struct Surroundings {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (is_near(a, box)) vertices.push_back({a, house});
-      const PlanBox edge_box = box_of_edge(a, b);
+      const PlanBox edge_box = box_of(a, b);
       constexpr auto kReach = static_cast<std::int32_t>(kReachMm);
       if (edge_box.min.x <= box.max.x + kReach && edge_box.max.x >= box.min.x - kReach &&
           edge_box.min.y <= box.max.y + kReach && edge_box.max.y >= box.min.y - kReach)
@@ -134,7 +131,7 @@ class Approach {
       const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       full.push_back(a);
       if (a == b) continue;
-      const PlanBox edge_box = box_of_edge(a, b);
+      const PlanBox edge_box = box_of(a, b);
       std::vector<std::pair<double, const Surroundings::Vertex*>> between;
       for (const Surroundings::Vertex& v : around_.vertices) {
         if (v.at == a || v.at == b || !is_near(v.at, edge_box)) continue;
@@ -198,7 +195,7 @@ void report(const std::vector<Gap>& gaps, const std::vector<Footprint>& footprin
 void close_gaps(std::vector<Footprint>& footprints, std::vector<Issue>& issues) {
   std::vector<PlanBox> boxes;
   for (const Footprint& footprint : footprints)
-    boxes.push_back(footprint.is_part || footprint.base_m > 0 ? PlanBox{} : bounds_of(footprint.area.outer));
+    boxes.push_back(footprint.is_part || footprint.base_m > 0 ? PlanBox{} : box_of(footprint.area.outer));
   const auto pairs = box_pairs(boxes, static_cast<std::int32_t>(kReachMm));
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
     const std::size_t house = pairs[begin].second;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geo/osm_rules.hpp"
 #include "sectorgen/geo/ring_check.hpp"
 #include "sectorgen/geo/tag_values.hpp"
@@ -100,7 +101,7 @@ Cell cell_of(PlanPoint p) {
 }
 
 PlanPoint centre_of(const Footprint& footprint) {
-  const PlanBox box = bounds_of(footprint.area.outer);
+  const PlanBox box = box_of(footprint.area.outer);
   return {static_cast<std::int32_t>((std::int64_t{box.min.x} + box.max.x) / 2),
           static_cast<std::int32_t>((std::int64_t{box.min.y} + box.max.y) / 2)};
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geo/box_pairs.hpp"
 #include "sectorgen/geo/shared_area.hpp"
 #include "sectorgen/geo/tag_values.hpp"
@@ -24,7 +25,7 @@ bool is_house(const Footprint& footprint) { return !footprint.is_part && footpri
 std::vector<PlanBox> boxes_of(const std::vector<Footprint>& footprints) {
   std::vector<PlanBox> boxes;
   boxes.reserve(footprints.size());
-  for (const Footprint& footprint : footprints) boxes.push_back(bounds_of(footprint.area.outer));
+  for (const Footprint& footprint : footprints) boxes.push_back(box_of(footprint.area.outer));
   return boxes;
 }
 
@@ -125,7 +126,7 @@ void adopt_lost_parts(std::vector<Footprint>& footprints, std::vector<Issue>& is
   std::vector<PlanBox> parts, houses;
   std::vector<std::size_t> part_index, house_index;
   for (std::size_t i = 0; i < footprints.size(); ++i) {
-    (footprints[i].is_part ? parts : houses).push_back(bounds_of(footprints[i].area.outer));
+    (footprints[i].is_part ? parts : houses).push_back(box_of(footprints[i].area.outer));
     (footprints[i].is_part ? part_index : house_index).push_back(i);
   }
   std::vector<double> covered(parts.size(), 0);
@@ -184,13 +185,13 @@ void find_blocked_streets(const std::vector<Footprint>& footprints, const std::v
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (axes[i].is_passage || axes[i].is_bridge) continue;
     for (std::size_t p = 0; p + 1 < axes[i].line.size(); ++p) {
-      segments.push_back(bounds_of(Ring{axes[i].line[p], axes[i].line[p + 1]}));
+      segments.push_back(box_of(Ring{axes[i].line[p], axes[i].line[p + 1]}));
       segment_of.emplace_back(i, p);
     }
   }
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (!is_house(footprints[i])) continue;
-    houses.push_back(bounds_of(footprints[i].area.outer));
+    houses.push_back(box_of(footprints[i].area.outer));
     house_of.push_back(i);
   }
   struct Inside {

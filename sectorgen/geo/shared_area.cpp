@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 
 namespace vicus {
@@ -60,7 +61,7 @@ double common_area(const Span& a, const Span& b, double width) {
 }  // namespace
 
 double shared_area_m2(const Polygon& a, const Polygon& b) {
-  const PlanBox box_a = bounds_of(a), box_b = bounds_of(b);
+  const PlanBox box_a = box_of(a), box_b = box_of(b);
   const PlanBox common{{std::max(box_a.min.x, box_b.min.x), std::max(box_a.min.y, box_b.min.y)},
                        {std::min(box_a.max.x, box_b.max.x), std::min(box_a.max.y, box_b.max.y)}};
   if (common.min.x >= common.max.x || common.min.y >= common.max.y) return 0;

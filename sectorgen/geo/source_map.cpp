@@ -4,6 +4,7 @@
 
 #include "sectorgen/geo/heights.hpp"
 #include "sectorgen/geo/layer_choice.hpp"
+#include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/geo/neighbours.hpp"
 #include "sectorgen/geo/place_features.hpp"
 #include "sectorgen/geo/read_gdal.hpp"
@@ -105,6 +106,7 @@ SourceMap load_source_map(const LoadOptions& options, std::vector<Issue>& issues
   SourceMap map;
   map.origin = options.origin ? *options.origin : default_origin(raw);
   map.licences = without_repeats(raw.licences);
+  map.name = name_in_map(raw);
   std::vector<bool> is_cut;
   place_features(std::move(raw), PlanFrame(map.origin), map, is_cut, issues);
   drop_duplicates(map.footprints, is_cut, issues);

@@ -65,6 +65,7 @@ struct SourceMap {
   std::vector<Barrier> barriers;
   std::vector<PointObject> objects;
   std::vector<Polygon> boundary;  ///< --boundary; empty: the domain is derived
+  std::string name;               ///< what the map calls the place; empty: nothing, or several things
   std::vector<std::string>
       licences;  ///< attribution lines, deduplicated, e.g. "© OpenStreetMap contributors, ODbL 1.0"
 };

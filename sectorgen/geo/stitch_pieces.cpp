@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geo/box_pairs.hpp"
 #include "sectorgen/geo/repair.hpp"
 #include "sectorgen/geo/shared_area.hpp"

@@ -41,13 +41,6 @@ Side locate(const Polygon& polygon, PlanPoint p) {
   return inside ? Side::inside : Side::outside;
 }
 
-PlanBox bounds_of(const Ring& ring) {
-  PlanBox box;
-  for (PlanPoint p : ring) box.add(p);
-  return box;
-}
-PlanBox bounds_of(const Polygon& polygon) { return bounds_of(polygon.outer); }
-
 Ring convex_hull(std::vector<PlanPoint> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

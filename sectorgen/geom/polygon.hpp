@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "city_db/boxes.hpp"
 #include "city_db/city.hpp"
-#include "city_db/geometry_blob.hpp"
 #include "sectorgen/geom/predicates.hpp"
 
 /// Rings and polygons on the lattice.
@@ -18,9 +18,6 @@ double area_m2(const Polygon& polygon);
 
 /// Exact; even-odd over all rings.
 Side locate(const Polygon& polygon, PlanPoint p);
-
-PlanBox bounds_of(const Polygon& polygon);
-PlanBox bounds_of(const Ring& ring);
 
 /// Convex hull, counter-clockwise, no collinear points (Andrew's monotone chain).
 Ring convex_hull(std::vector<PlanPoint> points);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 
 namespace vicus {
@@ -139,7 +140,7 @@ double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
 /// kNearPlace_m.
 std::vector<Sector*> sectors_at(City& city, PlanPoint at) {
   for (auto& s : city.sectors)
-    if (bounds_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside) return {&s};
+    if (box_of(s.ground).contains(at) && locate(s.ground, at) != Side::outside) return {&s};
   Sector* nearest = nullptr;
   double least_mm = kNearPlace_m * kMmPerMetre;
   const auto look_at = [&](Sector& s, const Ring& ring) {

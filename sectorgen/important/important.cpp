@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/important/propose.hpp"
 
@@ -58,10 +59,10 @@ void add_important(City& city) {
   for (const auto& v : city.visible)
     if (const auto at = listed_by.find(v.visible_sector_id); at != listed_by.end()) at->second.insert(v.sector_id);
   std::vector<PlanPoint> middles;
-  for (const auto& s : city.sectors) middles.push_back(middle_of(bounds_of(s.ground)));
+  for (const auto& s : city.sectors) middles.push_back(middle_of(box_of(s.ground)));
   for (const auto& important : city.sectors) {
     if (important.importance != Importance::author) continue;
-    const PlanBox box = bounds_of(important.ground);
+    const PlanBox box = box_of(important.ground);
     auto& listed = listed_by.at(important.id);
     for (std::size_t i = 0; i < middles.size(); ++i)
       if (distance_m(middles[i], box) <= important.vicinity_m && listed.insert(city.sectors[i].id).second)

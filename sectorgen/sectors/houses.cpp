@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
 
@@ -129,7 +130,7 @@ struct HouseWriter {
       for (const auto& [sector, mm] : shares[i])
         if (mm > most) most = mm, city.buildings[i].sector_id = sector;
       if (most == 0) continue;
-      placed.push_back(bounds_of(city.buildings[i].footprint));
+      placed.push_back(box_of(city.buildings[i].footprint));
       placed_building.push_back(i);
     }
     const BoxIndex index(placed);
@@ -140,7 +141,7 @@ struct HouseWriter {
   /// The sector of the nearest building that has one, or that holds the ground below.
   std::string nearest(const Building& b, const BoxIndex& index, const std::vector<PlanBox>& boxes,
                       const std::vector<std::uint32_t>& buildings) const {
-    PlanBox box = bounds_of(b.footprint);
+    PlanBox box = box_of(b.footprint);
     const PlanPoint centre{box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
     for (std::int32_t margin = 2'000; margin < 1'000'000; margin *= 3) {
       const PlanBox around{{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};

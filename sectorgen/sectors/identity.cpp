@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
 #include "sectorgen/sectors/naming.hpp"
@@ -71,12 +72,12 @@ std::vector<const Sector*> successors(const City* previous, const City& city) {
   std::vector<const Sector*> out(city.sectors.size(), nullptr);
   if (previous == nullptr) return out;
   std::vector<PlanBox> boxes;
-  for (const auto& s : previous->sectors) boxes.push_back(bounds_of(s.ground));
+  for (const auto& s : previous->sectors) boxes.push_back(box_of(s.ground));
   const BoxIndex index(boxes);
   std::vector<std::pair<double, std::uint32_t>> best_of_old(previous->sectors.size(), {0, kNone});
   std::vector<std::pair<double, std::uint32_t>> best_of_new(city.sectors.size(), {0, kNone});
   for (std::uint32_t i = 0; i < city.sectors.size(); ++i)
-    for (std::uint32_t j : index.meeting(bounds_of(city.sectors[i].ground))) {
+    for (std::uint32_t j : index.meeting(box_of(city.sectors[i].ground))) {
       const Sector &now = city.sectors[i], &was = previous->sectors[j];
       const double common = now.ground.outer == was.ground.outer ? area_m2(now.ground)
                                                                  : std::max(common_m2(now, was), common_m2(was, now));

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
 
@@ -18,7 +19,7 @@ constexpr double kStreetOpening = 5.0;  // m (research/SECTORS.md §6)
 std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered(const Plan& plan,
                                                                   const std::vector<Polygon>& polygons) {
   std::vector<PlanBox> boxes;
-  for (const auto& p : polygons) boxes.push_back(bounds_of(p));
+  for (const auto& p : polygons) boxes.push_back(box_of(p));
   const BoxIndex index(boxes);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> out;
   if (polygons.empty()) return out;

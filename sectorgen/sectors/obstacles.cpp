@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
 #include "sectorgen/sectors/overlay.hpp"
@@ -13,20 +14,13 @@ constexpr double kPassageHalfWidthMin = 1.25, kPassageHalfWidthMax = 3.0;
 constexpr double kOpeningHalfWidth = 1.5;  // a gate in a wall or fence
 constexpr double kWallThicknessMin = 0.2;  // thinner ones would come out as slivers
 
-PlanBox box_of_line(const Line& line, double margin_m) {
-  PlanBox box;
-  for (PlanPoint p : line) box.add(p);
-  const std::int32_t d = lattice_mm(margin_m);
-  return {{box.min.x - d, box.min.y - d}, {box.max.x + d, box.max.y + d}};
-}
-
 /// Strokes along axes, found again by box.
 struct Strokes {
   std::vector<Stroke> strokes;
   BoxIndex index;
   Strokes(std::vector<Stroke> s) : strokes(std::move(s)) {
     std::vector<PlanBox> boxes;
-    for (const auto& stroke : strokes) boxes.push_back(box_of_line(stroke.line, stroke.radius_m + 1));
+    for (const auto& stroke : strokes) boxes.push_back(grown(box_of(stroke.line), lattice_mm(stroke.radius_m + 1)));
     index = BoxIndex(std::move(boxes));
   }
   std::vector<Stroke> near(const PlanBox& box) const {
@@ -49,7 +43,7 @@ void add_houses(const SourceMap& map, Blocks& blocks) {
       blocks.houses.push_back({i, f.area, true, f.base_m});
       continue;
     }
-    const auto near = strokes.near(bounds_of(f.area));
+    const auto near = strokes.near(box_of(f.area));
     if (near.empty()) {
       blocks.houses.push_back({i, f.area, false, 0});
       continue;
@@ -71,7 +65,7 @@ bool runs_over(const Line& line, const Polygon& area) {
       if (cross_properly(a, b, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
     return false;
   };
-  const PlanBox box = bounds_of(area);
+  const PlanBox box = box_of(area);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const PlanPoint a = line[i], b = line[i + 1];
     if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x || std::max(a.y, b.y) < box.min.y ||
@@ -91,7 +85,7 @@ void add_water(const SourceMap& map, Blocks& blocks) {
   const Strokes strokes(std::move(decks));
   for (const auto& area : map.areas) {
     if (area.kind != AreaKind::water) continue;
-    auto near = strokes.near(bounds_of(area.area));
+    auto near = strokes.near(box_of(area.area));
     std::erase_if(near, [&](const Stroke& s) { return !runs_over(s.line, area.area); });
     if (near.empty())
       blocks.water.push_back(area.area);
@@ -107,7 +101,7 @@ void add_walls(const SourceMap& map, Blocks& blocks) {
   for (std::uint32_t i = 0; i < map.barriers.size(); ++i) {
     const Barrier& b = map.barriers[i];
     const double half = std::max(kWallThicknessMin, b.thickness_m) / 2;
-    auto open = strokes.near(box_of_line(b.line, half));
+    auto open = strokes.near(grown(box_of(b.line), lattice_mm(half)));
     for (PlanPoint p : b.openings) {
       const std::int32_t d = lattice_mm(kOpeningHalfWidth);
       open.push_back({{{p.x - d, p.y}, {p.x + d, p.y}}, kOpeningHalfWidth});

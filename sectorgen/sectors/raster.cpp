@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/overlay.hpp"
 
@@ -115,7 +116,7 @@ void paint(const Raster& r, const Polygon& polygon, Mask& mask) {
   };
   edges(polygon.outer);
   for (const auto& hole : polygon.holes) edges(hole);
-  const PlanBox box = bounds_of(polygon);
+  const PlanBox box = box_of(polygon);
   std::vector<double> xs;
   for (int row = r.row_of(box.min.y); row <= r.row_of(box.max.y); ++row) {
     const double y = r.min.y + (row + 0.5) * r.cell_mm;

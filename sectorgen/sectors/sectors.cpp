@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/houses.hpp"
 #include "sectorgen/sectors/tracing.hpp"
@@ -163,7 +164,7 @@ class Writer {
     Sector sector;
     sector.id = number;
     sector.ground = std::move(polygons.at(0));
-    PlanBox box = bounds_of(sector.ground);
+    PlanBox box = box_of(sector.ground);
     sector.origin = {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
     sector.ground_triangles = triangulate(sector.ground);
     city_.sectors.push_back(std::move(sector));

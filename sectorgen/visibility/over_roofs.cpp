@@ -12,7 +12,8 @@ namespace vicus {
 namespace {
 
 constexpr double kWitnessRadius_m = 4;  // eyes told apart this far are worth a ray
-constexpr double kInset_m = 0.02;       // rays start and end this far off walls
+constexpr double kFirstRound_m = 0.5;
+constexpr double kInset_m = 0.02;  // rays start and end this far off walls
 constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
 
 /// A node of a tree, or a part of a leaf's segment.
@@ -64,6 +65,12 @@ struct Effort {
   std::uint32_t rays = 0, pairs = 0;
 };
 
+/// A part of the rim, and the walls that some eye on it may see.
+struct Part {
+  Region eyes;
+  std::vector<std::uint32_t> walls;  // nodes of the targets' tree
+};
+
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
@@ -79,6 +86,7 @@ class Explorer {
   Explorer(const Scene& scene, const RoofOptions& options)
       : scene_(scene),
         options_(options),
+        horizon_(scene.field),
         state_(scene.targets.showings.size()),
         effort_(scene.targets.showings.size()),
         blocker_(scene.targets.tree.segments.size()) {}
@@ -92,7 +100,10 @@ class Explorer {
     std::fill(effort_.begin(), effort_.end(), Effort{});
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
     rim_ = rim_of(city.sectors[sector]);
+    parts_.clear();
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
+    look_closer();
+    look_pair_by_pair();
     std::vector<RoofSight> out;
     for (const std::uint32_t i : found_)
       out.push_back({showings[i].sector, showings[i].house, state_[i] == State::known});
@@ -148,84 +159,98 @@ class Explorer {
       stand_on(second);
       return;
     }
-    std::vector<std::uint32_t> seen;
-    Horizon& horizon = start_horizon(0, eyes);
-    search(horizon, eyes, scene_.targets.tree.root, seen);
-    look_closer(eyes, seen, 1);
+    parts_.push_back({eyes, {}});
+    start_horizon(eyes);
+    search(eyes, scene_.targets.tree.root, parts_.back().walls);
   }
 
-  Horizon& start_horizon(std::size_t depth, const Region& eyes) {
-    while (horizons_.size() <= depth) horizons_.push_back(std::make_unique<Horizon>(scene_.field));
-    horizons_[depth]->start(eyes.centre, eyes.radius, eyes.radius > 1.5 ? kFewBins : kManyBins);
+  void start_horizon(const Region& eyes) {
+    horizon_.start(eyes.centre, eyes.radius, eyes.radius > 1.5 ? kFewBins : kManyBins);
     ++horizons;
-    return *horizons_[depth];
   }
 
   /// Walls that the horizon does not hide.
-  void search(Horizon& horizon, const Region& eyes, std::uint32_t node, std::vector<std::uint32_t>& seen) {
+  void search(const Region& eyes, std::uint32_t node, std::vector<std::uint32_t>& seen) {
     const SegmentNode& n = scene_.targets.tree.nodes[node];
     if (n.segment != kNowhere) {
-      if (is_left(horizon, eyes, node)) seen.push_back(node);
+      if (is_left(eyes, node)) seen.push_back(node);
       return;
     }
     if (n.house != kNowhere && state_of(region_of(scene_.targets.tree, node)) == State::known) return;
     ++tests;
-    if (horizon.hides_disc(n.centre, n.radius, n.top_m)) return;
-    search(horizon, eyes, n.left, seen);
-    search(horizon, eyes, n.right, seen);
+    if (horizon_.hides_disc(n.centre, n.radius, n.top_m)) return;
+    search(eyes, n.left, seen);
+    search(eyes, n.right, seen);
   }
 
   /// The wall is still to be asked about: nothing hides it, and no ray proved it seen.
-  bool is_left(Horizon& horizon, const Region& eyes, std::uint32_t node) {
+  bool is_left(const Region& eyes, std::uint32_t node) {
     const Region wall = region_of(scene_.targets.tree, node);
     if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
     ++tests;
-    if (horizon.hides_segment(wall.a, wall.b, wall.top_m)) return false;
-    if (eyes.is_segment() && eyes.radius <= kWitnessRadius_m) {
-      if (is_seen(eyes, wall)) return set_state(wall, State::known), false;
-      if (state_of(wall) == State::open) return false;
-    }
-    return true;
+    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m)) return false;
+    if (!eyes.is_segment() || eyes.radius > kWitnessRadius_m || !is_seen(eyes, wall)) return true;
+    set_state(wall, State::known);
+    return false;
   }
 
-  /// The walls that are left, from halves of the rim's part.
-  void look_closer(const Region& eyes, const std::vector<std::uint32_t>& walls, std::size_t depth) {
-    if (walls.empty()) return;
-    if (eyes.is_segment() && eyes.radius <= options_.pair_radius_m) {
-      for (const std::uint32_t node : walls) explore(eyes, region_of(scene_.targets.tree, node));
-      return;
-    }
-    const auto [first, second] = halves(rim_, eyes);
-    for (const Region* half : {&first, &second}) {
-      Horizon& horizon = start_horizon(depth, *half);
-      std::vector<std::uint32_t> seen;
-      for (const std::uint32_t node : walls)
-        if (is_left(horizon, *half, node)) seen.push_back(node);
-      look_closer(*half, seen, depth + 1);
+  /// The walls that are left, from halves of the rim's parts: all parts of one size before any smaller one, so that
+  /// what is plainly seen from somewhere is not asked about elsewhere.
+  void look_closer() {
+    std::vector<Part> next;
+    close_parts_.clear();
+    for (; !parts_.empty(); parts_.swap(next), next.clear())
+      for (Part& part : parts_) {
+        drop_known(part);
+        if (part.walls.empty()) continue;
+        if (part.eyes.is_segment() && part.eyes.radius <= options_.pair_radius_m) {
+          close_parts_.push_back(std::move(part));
+          continue;
+        }
+        const auto [first, second] = halves(rim_, part.eyes);
+        for (const Region* half : {&first, &second}) {
+          next.push_back({*half, {}});
+          start_horizon(*half);
+          for (const std::uint32_t node : part.walls)
+            if (is_left(*half, node)) next.back().walls.push_back(node);
+        }
+      }
+  }
+
+  /// In two rounds, for the same reason.
+  void look_pair_by_pair() {
+    for (const double least_m : {std::max(options_.least_radius_m, kFirstRound_m), options_.least_radius_m}) {
+      least_m_ = least_m;
+      is_last_round_ = least_m == options_.least_radius_m;
+      for (Part& part : close_parts_) {
+        std::erase_if(part.walls,
+                      [&](std::uint32_t node) { return !is_unsure(part.eyes, region_of(scene_.targets.tree, node)); });
+      }
+      if (is_last_round_) return;
     }
   }
 
-  /// A part of the rim and a part of a wall, by the walls between them.
-  void explore(const Region& eyes, const Region& target) {
-    const State state = state_of(target);
-    if (state == State::known || is_behind(eyes, target)) return;
+  void drop_known(Part& part) const {
+    std::erase_if(part.walls,
+                  [&](std::uint32_t node) { return state_of(region_of(scene_.targets.tree, node)) == State::known; });
+  }
+
+  /// A part of the rim and a part of a wall, by the houses between them: true when more has to be told apart.
+  bool is_unsure(const Region& eyes, const Region& target) {
+    if (state_of(target) != State::unknown || is_behind(eyes, target)) return false;
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
-    if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return;
-    if (is_seen(eyes, target)) return set_state(target, State::known);
-    if (state == State::open) return;
-    const bool eyes_are_small = eyes.radius <= options_.least_radius_m;
-    const bool target_is_small = target.radius <= options_.least_radius_m;
-    if (++effort_of(target).pairs > options_.most_pairs) return set_state(target, State::open);
-    if (eyes_are_small && target_is_small) return set_state(target, State::open);
-    if (!target_is_small && (eyes_are_small || target.radius > eyes.radius)) {
-      const auto [first, second] = halves(scene_.targets.tree, target);
-      explore(eyes, first);
-      explore(eyes, second);
-    } else {
-      const auto [first, second] = halves(rim_, eyes);
-      explore(first, target);
-      explore(second, target);
+    if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return false;
+    if (is_seen(eyes, target)) return set_state(target, State::known), false;
+    const bool eyes_are_small = eyes.radius <= least_m_, target_is_small = target.radius <= least_m_;
+    const bool is_spent = ++effort_of(target).pairs > options_.most_pairs;
+    if (is_spent || (eyes_are_small && target_is_small)) {
+      if (is_spent || is_last_round_) set_state(target, State::open);
+      return true;
     }
+    const bool split_target = !target_is_small && (eyes_are_small || target.radius > eyes.radius);
+    const auto [first, second] = halves(split_target ? scene_.targets.tree : rim_, split_target ? target : eyes);
+    const bool is_first_unsure = split_target ? is_unsure(eyes, first) : is_unsure(first, target);
+    return (split_target ? is_unsure(eyes, second) : is_unsure(second, target)) || is_first_unsure;
   }
 
   /// One place on the middle line where the whole disc of displaced lines is under roofs that reach it. First the house
@@ -273,7 +298,10 @@ class Explorer {
 
   const Scene& scene_;
   const RoofOptions& options_;
-  std::vector<std::unique_ptr<Horizon>> horizons_;  // by depth
+  Horizon horizon_;
+  std::vector<Part> parts_, close_parts_;
+  double least_m_ = 0;
+  bool is_last_round_ = false;
   SegmentTree rim_;
   std::vector<State> state_;
   std::vector<std::uint32_t> found_;

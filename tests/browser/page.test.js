@@ -51,6 +51,9 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
         if (record.name) assert.equal(await visitor.page.textContent('#street'), record.name);
         const rights = await visitor.page.evaluate(() => window.vicus.view.meta('rights'));
         assert.equal(await visitor.page.textContent('#rights'), rights);
+        const city = await visitor.page.evaluate(() => window.vicus.view.meta('subject'));
+        assert.ok(city, 'the city has no name');
+        assert.match(await visitor.page.title(), new RegExp(`^.+ · ${city}$`));
         await visitor.page.close();
     });
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { firstLevel } from '../../client_scripts/core/sectorRecord.js';
+import { idOf } from '../../client_scripts/core/sectorRecord.js';
 import { GroundWalls } from '../../client_scripts/core/GroundWalls.js';
 import { boxContains, distance, distanceToEdges, isInside, nearestOnSegment } from '../../client_scripts/core/planGeometry.js';
 import { openBrowser } from './support/chromium.js';
@@ -69,18 +69,22 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
         await shoot('wall');
     });
 
-    await t.test('after a while only L_1 is left', async () => {
+    await t.test('after a while only L_1 is left: gate neighbours near, the rest of its list far or tall', async () => {
         await visitor.page.waitForTimeout(1000 * (kKeepSeconds + 2));
         await visitor.settle();
-        const { current, asked } = await visitor.now();
-        assert.deepEqual(asked, firstLevel(await map.sector(current)).sort());
+        const { current, asked } = await visitor.now(), record = await map.record(current);
+        const near = new Set([current, ...record.gates.map(gate => gate.to).filter(Boolean)]);
+        const beyond = (record.visible ?? []).filter(id => !near.has(id));
+        const tall = beyond.filter(id => record.over_roofs?.includes(id)), far = beyond.filter(id => !tall.includes(id));
+        t.diagnostic(`around ${current}: ${near.size} near, ${far.length} far, ${tall.length} tall`);
+        assert.deepEqual(asked, [...near, ...far.map(id => `${id}.far`), ...tall.map(id => `${id}.tall`)].sort());
     });
 
     await t.test('nothing is fetched twice but what was given back; Shapes stay under the cap', async () => {
         const { unloads } = await visitor.diary();
-        for (const [path, count] of visitor.fetches(/^\/sectors\/[^.]+\.x3d$/)) {
-            const id = path.slice('/sectors/'.length, -'.x3d'.length);
-            const unloaded = unloads[id] ?? 0;
+        for (const [path, count] of visitor.fetches(/^\/sectors\/[^.]+(\.far|\.tall)?\.x3d$/)) {
+            const stem = path.slice('/sectors/'.length, -'.x3d'.length);
+            const unloaded = unloads[stem] ?? 0;
             assert.ok(count <= 1 + unloaded, `${path} fetched ${count} times, given back ${unloaded} times`);
         }
         for (const [path, count] of visitor.fetches(/^\/(client|x_ite|city)/))
@@ -145,8 +149,8 @@ function untilWellInside(left, gate, onward) {
 async function assertSurroundings(visitor, map, current) {
     await visitor.settle();
     const { live, failed } = await visitor.now();
-    const wanted = firstLevel(await map.sector(current));
-    for (const id of wanted) assert.ok(live.includes(id), `${id} of L_1(${current}) is not there: ${live}`);
+    const wanted = await map.filesAround(current), nearEnough = stem => live.includes(stem) || live.includes(idOf(stem));
+    for (const stem of wanted) assert.ok(nearEnough(stem), `${stem} of L_1(${current}) is not there: ${live}`);
     assert.deepEqual(failed, []);
     const { sectors } = await visitor.diary();
     const now = await visitor.page.evaluate(() => performance.now());
@@ -154,7 +158,7 @@ async function assertSurroundings(visitor, map, current) {
     for (const [i, { current: id }] of sectors.entries()) {
         const leftAt = sectors[i + 1]?.at ?? now;
         if (now - leftAt > 1000 * (kKeepSeconds + kLagSeconds)) continue;
-        for (const near of firstLevel(await map.sector(id))) allowed.add(near);
+        for (const stem of await map.filesAround(id)) allowed.add(stem);
     }
-    for (const id of live) assert.ok(allowed.has(id), `${id} is there in ${current}, though left long ago`);
+    for (const stem of live) assert.ok(allowed.has(stem), `${stem} is there in ${current}, though left long ago`);
 }

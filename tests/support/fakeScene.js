@@ -68,6 +68,7 @@ export function metadataOf(record) {
   return set(
       'sector', leaf('id', record.id), leaf('kind', record.kind), leaf('name', record.name),
       leaf('origin', ...record.origin), leaf('box', ...record.box), leaf('shapes', record.shapes),
-      leaf('ground_counts', ...record.ground.map(ring => ring.length)), leaf('ground', ...record.ground.flat(2)),
-      ...gates, ...neighbours);
+      ...(record.bodies ? [leaf('bodies', ...record.bodies.flat())] : []), leaf('ground_counts', ...record.ground.map(ring => ring.length)), leaf('ground', ...record.ground.flat(2)),
+      ...gates, ...neighbours, ...(record.visible ? [leaf('visible', ...record.visible)] : []),
+      ...(record.over_roofs?.length ? [leaf('over_roofs', ...record.over_roofs)] : []));
 }

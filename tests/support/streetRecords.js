@@ -25,6 +25,17 @@ export function streetRecords(count = 6) {
   return records;
 }
 
+/** The same, each sector seeing every other; `overRoofs`: ids that are seen over roofs alone. */
+export function seeingFar(records, {overRoofs = []} = {}) {
+  return records.map(record => ({
+                       ...record,
+                       visible: records.map(({id}) => id),
+                       over_roofs: overRoofs.filter(id => id !== record.id),
+                       neighbours: records.filter(({id}) => id !== record.id)
+                                       .map(({id, origin, box, shapes}) => ({id, origin, box, shapes})),
+                     }));
+}
+
 function addYard(records) {
   const street = records[2];
   street.ground = [[[80, 0], [120, 0], [120, 10], [104, 10], [96, 10], [80, 10]]];

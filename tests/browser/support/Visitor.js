@@ -23,11 +23,11 @@ export class Visitor {
         return this.page.evaluate(() => window.vicus.visit.firstStreetAt);
     }
 
-    /** { current, pose, live, asked, failed } now. */
+    /** { current, pose, live, asked, failed } now; the last three are files by their stems: ID, ID.far, ID.tall. */
     now() {
         return this.page.evaluate(() => {
             const { view, visit } = window.vicus, sectors = view.sectors();
-            const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ id }) => id).sort();
+            const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ stem }) => stem).sort();
             const [live, asked, failed] = [of('live'), of('live', 'loading'), of('failed')];
             return { current: visit.current, pose: view.pose(), live, asked, failed };
         });
@@ -42,8 +42,12 @@ export class Visitor {
         }, null, { timeout: 1000 * seconds });
     }
 
-    /** Walks (or runs) along plan points in millimetres. Fails when it takes longer than a slow machine explains. */
-    async walk(points, { run = true, within = 1.2, seconds = 240 } = {}) {
+    /**
+     * Walks (or runs, and walks up to each point) along plan points in millimetres. Who turns to the next point too far
+     * from this one walks into the corner that it leads round.
+     * Fails when it takes longer than a slow machine explains.
+     */
+    async walk(points, { run = true, within = 0.5, seconds = 240 } = {}) {
         const metres = points.map(([east, north]) => [east / 1000, north / 1000]);
         const result = await this.page.evaluate(pressKeys, { metres, run, within, seconds });
         assert.equal(result.reached, metres.length, `stuck at ${JSON.stringify(result)} on the way ${JSON.stringify(metres)}`);
@@ -69,7 +73,7 @@ export class Visitor {
         await this.page.keyboard.up(key);
     }
 
-    /** [{ at: ms, current }] and id -> how often its content was given back. */
+    /** [{ at: ms, current }] and stem -> how often the file's content was given back. */
     diary() {
         return this.page.evaluate(() => window.diary);
     }
@@ -97,20 +101,20 @@ function keepDiary() {
         const { visit } = window.vicus;
         if (visit.current && window.diary.sectors.at(-1)?.current !== visit.current)
             window.diary.sectors.push({ at: performance.now(), current: visit.current });
-        const asked = visit.sectors.filter(sector => sector.phase !== 'absent').map(sector => sector.id);
-        for (const id of before) if (!asked.includes(id)) window.diary.unloads[id] = (window.diary.unloads[id] ?? 0) + 1;
+        const asked = visit.sectors.filter(sector => sector.phase !== 'absent').map(sector => sector.stem);
+        for (const stem of before) if (!asked.includes(stem)) window.diary.unloads[stem] = (window.diary.unloads[stem] ?? 0) + 1;
         before = asked;
     };
     look();
 }
 
 async function pressKeys({ metres, run, within, seconds, turnOnly }) {
-    const held = new Set();
+    const held = new Set(), shift = 'ShiftLeft';
     const press = (code, down) => {
         if (down === held.has(code)) return;
         if (down) held.add(code);
         else held.delete(code);
-        dispatchEvent(new KeyboardEvent(down ? 'keydown' : 'keyup', { code, shiftKey: Boolean(run), bubbles: true }));
+        dispatchEvent(new KeyboardEvent(down ? 'keydown' : 'keyup', { code, shiftKey: held.has(shift), bubbles: true }));
     };
     const { view } = window.vicus, deadline = performance.now() + 1000 * seconds;
     let reached = 0, pose = view.pose();
@@ -122,12 +126,13 @@ async function pressKeys({ metres, run, within, seconds, turnOnly }) {
             ++reached;
             continue;
         }
+        press(shift, Boolean(run) && Math.hypot(east, north) > 3);
         press('KeyQ', turn < -0.1);
         press('KeyE', turn > 0.1);
         press('KeyW', !turnOnly && Math.abs(turn) < 0.4);
         await new Promise(requestAnimationFrame);
     }
-    for (const code of ['KeyQ', 'KeyE', 'KeyW']) press(code, false);
+    for (const code of [...held]) press(code, false);
     return { reached, pose };
 }
 

@@ -1,6 +1,6 @@
 import { GroundWalls } from '../../../client_scripts/core/GroundWalls.js';
 import { distance, nearestOnSegment } from '../../../client_scripts/core/planGeometry.js';
-import { firstLevel, sectorFromRecord } from '../../../client_scripts/core/sectorRecord.js';
+import { levelsAround, sectorFromRecord, stemOf } from '../../../client_scripts/core/sectorRecord.js';
 
 const kLeastGateMm = 1500;       // a gate the route uses is at least this wide
 const kOffWallMm = [1200, 700];  // way points lie this far off a ground's corners
@@ -24,6 +24,11 @@ export class CityMap {
 
     async sector(id) {
         return sectorFromRecord(await this.record(id));
+    }
+
+    /** Stems of the files that are to be there around `id`: near ones for it and behind its gates, far and tall by its record. */
+    async filesAround(id) {
+        return [...levelsAround(await this.sector(id))].map(([near, level]) => stemOf(near, level)).sort();
     }
 
     /** A chain of `gates` + 1 sectors from `start`, without going back, along streets of one name where it can. */
@@ -116,7 +121,7 @@ export async function startWithRoute(map, gates) {
     for (let i = 0; i < queue.length && i < 50; ++i) {
         const sector = await map.sector(queue[i]);
         if (sector.kind !== 'yard' && await map.route(queue[i], gates).catch(() => null)) return queue[i];
-        for (const id of firstLevel(sector)) if (!queue.includes(id)) queue.push(id);
+        for (const id of levelsAround(sector).keys()) if (!queue.includes(id)) queue.push(id);
     }
     throw new Error(`no sector near the start leads through ${gates} gates`);
 }

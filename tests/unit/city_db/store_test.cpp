@@ -76,6 +76,7 @@ TEST(CityReader, AnswersByKey) {
     EXPECT_EQ(reader.borders_of("s-passage").size(), 2u);
     EXPECT_EQ(reader.borders_of("nowhere").size(), 0u);
     EXPECT_EQ(reader.viewpoints_of("s-yard"), std::vector<Viewpoint>{city.viewpoints[6]});
+    EXPECT_EQ(reader.objects_of("s-yard"), std::vector<StandaloneObject>{city.objects[1]});
     EXPECT_EQ(reader.visible_from("s-passage").size(), 3u);
     EXPECT_EQ(reader.artefact("/city.x3d", {"br", "identity"}), artefacts[1]);
     EXPECT_EQ(reader.artefact("/city.x3d", {"zstd", "identity", "br"}), artefacts[0]);

@@ -3,15 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
+#include "tests/support/program.hpp"
 #include "tests/support/sample_city.hpp"
-#include "tests/support/scratch.hpp"
-#include "tests/unit/cli/run_program.hpp"
 
 namespace vicus {
 namespace {
 
 using nlohmann::json;
-
 using test::vicus_program;
 
 std::string sample_file(const test::ScratchDirectory& scratch) {

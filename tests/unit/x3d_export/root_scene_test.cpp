@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/sample_city.hpp"
@@ -69,12 +70,15 @@ TEST(RootScene, GivesTheLoaderItsListsInStep) {
     EXPECT_TRUE(fields.contains(name)) << name;
 }
 
-TEST(RootScene, LoadsNothingByItselfButInVrml97) {
+TEST(RootScene, LoadsTheStartByItselfAndNothingElseButInVrml97) {
   const Sample sample;
   RootOptions options;
+  options.start = "s-cross";
   const auto text = sample.text(options);
-  for (const auto& def : {"S_0", "S_1"})
-    EXPECT_NE(text.find(std::string("<Inline DEF='") + def + "' load='false'"), std::string::npos);
+  EXPECT_NE(text.find("<Inline DEF='S_0' "), std::string::npos);
+  EXPECT_EQ(text.find("<Inline DEF='S_0' load="), std::string::npos);
+  const auto loads = attributes_in(text, "Inline", "load");
+  EXPECT_EQ(std::count(loads.begin(), loads.end(), "false"), 4);
   options.format = SceneFormat::vrml;
   const auto vrml = sample.text(options);
   EXPECT_NE(vrml.find("DEF S_0 Inline"), std::string::npos);

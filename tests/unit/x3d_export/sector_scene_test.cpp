@@ -9,6 +9,7 @@
 
 #include "tests/support/sample_city.hpp"
 #include "tests/support/x3d_text.hpp"
+#include "x3d_export/objects.hpp"
 
 namespace vicus {
 namespace {
@@ -217,6 +218,7 @@ TEST(SectorFiles, CarryTheSameRecordAsTheJsonFile) {
       EXPECT_EQ(carried["gate"][i]["line"].size(), 2 * json["gates"][i]["line"].size());
     }
     ASSERT_EQ(carried["neighbour"].size(), json["neighbours"].size());
+    EXPECT_EQ(carried.value("bodies", nlohmann::json::array()).size(), 3 * json["bodies"].size());
     std::size_t points = 0;
     for (const auto& ring : json["ground"]) points += ring.size();
     EXPECT_EQ(carried["ground"].size(), 2 * points);
@@ -314,6 +316,33 @@ TEST(TallFiles, GrowByEveryRowThatNamesAHouse) {
   EXPECT_EQ(index.tall_houses_of("s-main-w"), (std::set<std::string>{"b-1", "b-10"}));
   EXPECT_GT(extent_of(tall(index, "s-main-w").front().text).faces,
             extent_of(tall(sample.index, "s-main-w").front().text).faces);
+}
+
+TEST(SectorRecord, HasEachObjectAsADiscAroundWhatIsDrawnOfIt) {
+  const Sample sample;
+  int bodies = 0;
+  for (const auto& object : sample.city.objects) {
+    const auto record = sector_record(source_of(sample.index), *sample.index.sector(object.sector_id), 1);
+    ASSERT_EQ(record.bodies.size(), 1u) << object.id;
+    EXPECT_EQ(record.bodies[0].at, object.at);
+    double widest = 0;
+    for (const auto& s : spindles_of(object))
+      for (double up = 0.3; up <= 1.95; up += 0.01)
+        if (up >= s.low_m && up <= s.high_m)
+          widest = std::max(widest, std::lerp(s.radius_low_m, s.radius_high_m, (up - s.low_m) / (s.high_m - s.low_m)));
+    EXPECT_NEAR(record.bodies[0].radius_m, widest, 0.02) << object.kind;
+    ++bodies;
+  }
+  EXPECT_EQ(bodies, 3);
+}
+
+TEST(SectorRecord, KeepsAVisitorOutOfALowCrownAndLetsHimUnderAHighOne) {
+  StandaloneObject tree{"t", "s", "tree", "", {}, 4, {}};
+  EXPECT_GT(body_radius_m(tree), 0.8);
+  tree.height_m = 10;
+  EXPECT_DOUBLE_EQ(body_radius_m(tree), 0.2);
+  tree.kind = "post_box";
+  EXPECT_EQ(body_radius_m(tree), 0);
 }
 
 TEST(SectorFiles, AreTheSameEachTime) {

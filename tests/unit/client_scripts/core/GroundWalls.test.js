@@ -41,6 +41,16 @@ test('from outside, a walker is taken onto the ground nearby, and stays where th
     assert.deepEqual(walls.constrain([20000, 90000], [20000, 91000]), [20000, 90000]);
 });
 
+test('a walker keeps off a body and slides round it; one who stands too near may leave', () => {
+    const [s0] = streetRecords(), walls = new GroundWalls([sectorFromRecord({ ...s0, bodies: [[20, 5, 0.5]] })]);
+    const head = walls.constrain([15000, 5000], [25000, 5000]);
+    assert.ok(Math.abs(head[0] - 19200) <= kSlack, String(head));
+    const round = walls.constrain([15000, 5300], [25000, 5300]);
+    assert.ok(round[0] > 20500 && walls.clearance(round) >= kVisitorRadiusMm - kSlack, String(round));
+    assert.ok(walls.constrain([20600, 5000], [23000, 5000])[0] >= 23000);
+    assert.ok(distance(walls.withoutBodies().constrain([15000, 5000], [25000, 5000]), [25000, 5000]) < 1);
+});
+
 test('metres go in and come out', () => {
     const end = constrainMetres(wallsOf('s0'), [20, 5], [21.5, 6]);
     assert.ok(distance(end, [21.5, 6]) < 1e-9, String(end));

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { SectorPlanner } from '../../../../client_scripts/core/SectorPlanner.js';
-import { firstLevel } from '../../../../client_scripts/core/sectorRecord.js';
-import { streetRecords } from '../../../support/streetRecords.js';
+import { idOf, levelOf, levelsAround } from '../../../../client_scripts/core/sectorRecord.js';
+import { seeingFar, streetRecords } from '../../../support/streetRecords.js';
 
 /** A visitor in the street: every load arrives `delay` frames later (60 frames a second). */
 class Visit {
@@ -15,7 +15,8 @@ class Visit {
 
     frame(position) {
         this.now += 1 / 60;
-        for (const job of this.pending.filter(job => job.due <= this.now)) this.settle(job.id);
+        for (const job of this.pending.filter(job => job.due <= this.now))
+            if (this.planner.states.has(job.id)) this.settle(job.id);
         this.pending = this.pending.filter(job => job.due > this.now);
         const plan = this.planner.plan(position, this.now);
         for (const id of plan.unload) this.live.delete(id), this.unloads.push(id);
@@ -24,10 +25,10 @@ class Visit {
         return plan;
     }
 
-    settle(id) {
-        if (this.broken.has(id)) return this.planner.failed(id, this.now);
-        this.live.add(id);
-        this.planner.arrived(id, this.records.get(id));
+    settle(stem) {
+        if (this.broken.has(stem)) return this.planner.failed(stem, this.now);
+        this.live.add(stem);
+        this.planner.arrived(stem, levelOf(stem) === 'near' ? this.records.get(stem) : null);
     }
 
     stay(position, seconds) {
@@ -65,7 +66,7 @@ test('along the street and back: L_1 is there at every moment, what was left goe
     for (let i = 1; i < 6; ++i) {
         visit.walk([40 * i - 20, 5], [40 * i + 20, 5]);
         assert.equal(visit.planner.current, `s${i}`);
-        for (const id of firstLevel(visit.planner.sectors.get(`s${i}`))) assert.ok(visit.live.has(id), `${id} at s${i}`);
+        for (const id of levelsAround(visit.planner.sectors.get(`s${i}`)).keys()) assert.ok(visit.live.has(id), `${id} at s${i}`);
     }
     assert.deepEqual(visit.stay([220, 5], 11).liveIds, ['s4', 's5']);
     const asked = [...visit.asked];
@@ -107,12 +108,84 @@ test('after a jump every known ground is tested, and an unloaded sector whose bo
     assert.equal(blind.stay([180, 5], 1).planner.current, 's4');
 });
 
-test('the list of visible sectors extends L_1 when the record has one', () => {
-    const records = streetRecords();
-    records[0].visible = ['s0', 's3'];
-    records[0].neighbours.push({ ...records[3], ground: undefined });
-    assert.deepEqual(firstLevel(records[0]), ['s0', 's1', 's3']);
-    assert.deepEqual(new Visit({ records }).stay([20, 5], 1).liveIds, ['s0', 's1', 's3']);
+test('gate neighbours are near, what else is visible is far, what is seen over roofs alone is tall; near comes first', () => {
+    const records = seeingFar(streetRecords(), { overRoofs: ['s5'] });
+    const visit = new Visit({ start: 's1', records }).stay([60, 5], 1);
+    assert.deepEqual(visit.liveIds, ['s0', 's1', 's2', 's3.far', 's4.far', 's5.tall', 'yard.far']);
+    assert.deepEqual(visit.asked.map(levelOf), ['near', 'near', 'near', 'far', 'far', 'far', 'tall']);
+    assert.equal(visit.perFrame, 1);
+});
+
+test('a gate neighbour is near even where the record says that it is seen over roofs', () => {
+    const levels = levelsAround({ id: 'a', gates: [{ to: 'b' }, { to: null }], visible: ['a', 'b', 'c'], overRoofs: ['b', 'c'] });
+    assert.deepEqual([...levels], [['a', 'near'], ['b', 'near'], ['c', 'tall']]);
+});
+
+test('the sector behind the nearest gate is asked for first', () => {
+    assert.deepEqual(new Visit({ start: 's2' }).stay([117, 5], 1).asked, ['s2', 's3', 'yard', 's1']);
+    assert.deepEqual(new Visit({ start: 's2' }).stay([100, 9], 1).asked.slice(0, 2), ['s2', 'yard']);
+});
+
+test('along the street and back: no hole where a sector changes its level, no sector twice, one file asked for per frame', () => {
+    for (const overRoofs of [[], ['s0', 's4', 'yard']]) {
+        const visit = new Visit({ options: { keepSeconds: 2 }, records: seeingFar(streetRecords(), { overRoofs }) }).stay([20, 5], 2);
+        const seen = new Set([...visit.live].map(idOf));
+        assert.equal(seen.size, 7);
+        for (const [from, to] of [[20, 220], [220, 20]]) for (let x = from; (to - x) * (to - from) > 0; x += (to - from) / 8000) {
+            visit.frame([x, 5]);
+            const ids = [...visit.live].map(idOf);
+            assert.deepEqual(ids.length, new Set(ids).size, `two files of a sector at ${x}: ${visit.liveIds}`);
+            for (const id of seen) assert.ok(ids.includes(id), `${id} is not there at ${x}: ${visit.liveIds}`);
+        }
+        const files = levelsAround(visit.planner.sectors.get('s0'));
+        for (const stem of visit.stay([20, 5], 4).live) assert.equal(levelOf(stem), files.get(idOf(stem)), stem);
+        assert.equal(visit.perFrame, 1);
+    }
+});
+
+test('a sector left behind stays near for keepSeconds, then its far file takes its place; back at once', () => {
+    const visit = new Visit({ options: { keepSeconds: 5 }, records: seeingFar(streetRecords()) }).stay([20, 5], 1);
+    visit.walk([20, 5], [85, 5], 20).stay([85, 5], 4);
+    assert.ok(visit.live.has('s0') && !visit.asked.includes('s0.far'));
+    visit.stay([85, 5], 3);
+    assert.ok(!visit.live.has('s0') && visit.live.has('s0.far'));
+    visit.walk([85, 5], [60, 5], 20).stay([60, 5], 0.5);
+    assert.ok(visit.live.has('s0') && !visit.live.has('s0.far'));
+});
+
+test('wakeAt is when a sector is due to change to its far file', () => {
+    const visit = new Visit({ options: { keepSeconds: 5 }, records: seeingFar(streetRecords()) }).stay([20, 5], 1);
+    visit.walk([20, 5], [85, 5], 20).stay([85, 5], 1);
+    const { wakeAt } = visit.frame([85, 5]);
+    assert.ok(wakeAt > visit.now + 2 && wakeAt < visit.now + 5, `${wakeAt - visit.now}`);
+    visit.stay([85, 5], 6);
+    assert.equal(visit.frame([85, 5]).wakeAt, Infinity);
+});
+
+test('a far file that cannot be had leaves the near one there', () => {
+    const visit = new Visit({ options: { keepSeconds: 1 }, records: seeingFar(streetRecords()), broken: new Set(['s0.far']) });
+    visit.stay([20, 5], 1).walk([20, 5], [85, 5], 20).stay([85, 5], 20);
+    assert.ok(visit.live.has('s0'));
+    assert.ok(visit.asked.filter(stem => stem === 's0.far').length >= 3);
+    visit.broken.clear();
+    assert.deepEqual(visit.stay([85, 5], 20).liveIds.filter(stem => idOf(stem) === 's0'), ['s0.far']);
+});
+
+test('over the cap sectors become far at once', () => {
+    const records = seeingFar(streetRecords().map(record => ({ ...record, shapes: 100,
+        neighbours: record.neighbours.map(neighbour => ({ ...neighbour, shapes: 100 })) })));
+    const visit = new Visit({ records, options: { shapeCap: 440, keepSeconds: 1e6 } }).stay([20, 5], 1);
+    for (let x = 20; x < 220; x += 0.1) {
+        visit.frame([x, 5]);
+        assert.ok(visit.planner.liveShapes() <= 440 + 1, `${visit.planner.liveShapes()} at ${x}`);
+        assert.ok(visit.live.has(visit.planner.current));
+        for (const id of visit.records.keys()) assert.ok(visit.liveIds.some(stem => idOf(stem) === id), `${id} at ${x}`);
+    }
+});
+
+test('in a world of near files alone every visible sector is near', () => {
+    const visit = new Visit({ start: 's1', records: seeingFar(streetRecords(), { overRoofs: ['s5'] }), options: { nearOnly: true } });
+    assert.deepEqual(visit.stay([60, 5], 1).liveIds, ['s0', 's1', 's2', 's3', 's4', 's5', 'yard']);
 });
 
 test('a sector that cannot be had is asked for after 1, 2, 4, ... 30 s, and comes when it can be had', () => {

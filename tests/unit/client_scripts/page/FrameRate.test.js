@@ -28,3 +28,15 @@ test('without a graphics card the first picture has half the pixels', () => {
     assert.equal(new FrameRate(scale => applied.push(scale), true).scale, 0.5);
     assert.deepEqual(applied, [0.5]);
 });
+
+test('who stands still for a while sees every pixel, until he moves', () => {
+    const applied = [], frameRate = new FrameRate(scale => applied.push(scale), true);
+    for (let i = 0; i < 5; ++i) frameRate.rest(0.1);
+    frameRate.add(0.03);
+    assert.deepEqual(applied, [0.5], 'half a second is a pause');
+    for (let i = 0; i < 50; ++i) frameRate.rest(0.1);
+    assert.deepEqual(applied, [0.5, 1]);
+    frameRate.add(0.4);
+    assert.deepEqual(applied, [0.5, 1, 0.5]);
+    assert.equal(scalesAfter(frameRate, 0.03, 100), 0.5, 'the slow frame of the rest is not judged');
+});

@@ -28,7 +28,7 @@ function vrmlWorld(start) {
     };
     const sectors = new VrmlSectors({ browser, world, base: 'sectors/', ids: [start], places: [first],
         nodes: node => [node], strings: text => [text], clock: () => world.now });
-    const loader = new SectorLoader(start, sectors, { keepSeconds: 5 });
+    const loader = new SectorLoader(start, sectors, { keepSeconds: 5, nearOnly: true });
     loader.planner.addNeighbour(records.get(start));
     const frames = (position, count) => { for (let i = 0; i < count; ++i) loader.step(position, world.now += 0.1); };
     return { world, first, sectors, frames };

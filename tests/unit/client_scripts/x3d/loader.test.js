@@ -5,9 +5,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { recordFromMetadata } from '../../../../client_scripts/x3d/recordMetadata.js';
+import { recordFromMetadata } from '../../../../client_scripts/core/recordMetadata.js';
 import { FakeInline, FakeNode, metadataOf } from '../../../support/fakeScene.js';
-import { streetRecords } from '../../../support/streetRecords.js';
+import { seeingFar, streetRecords } from '../../../support/streetRecords.js';
 
 const kScripts = fileURLToPath(new URL('../../../../client_scripts/', import.meta.url));
 
@@ -32,9 +32,8 @@ function runScript(fields) {
 }
 
 function rootWorld(start, records) {
-    const served = new Map(records.map(record => [`sectors/${record.id}.x3d`, record]));
+    const served = new Map(records.flatMap(record => ['', '.far', '.tall'].map(level => [`sectors/${record.id}${level}.x3d`, record])));
     const inline = new FakeInline(served);
-    inline.load = false;
     inline.url = [`sectors/${start}.x3d`];
     Object.assign(inline, { bboxCenter: { x: 0, y: 0, z: 0 }, bboxSize: { x: 40, y: 20, z: 10 } });
     const [east, north] = records.find(record => record.id === start).origin;
@@ -52,9 +51,13 @@ const shown = fields => [fields.inlines[0], ...fields.world.children.map(place =
     .filter(inline => inline?.load).map(inline => inline.url[0]).sort();
 
 test('a MetadataSet gives back the record it was made from', () => {
-    for (const record of streetRecords()) {
+    const [first, ...others] = streetRecords();
+    const full = { ...first, bodies: [[20, 5, 0.5], [22, 6.125, 1.6]], visible: ['s0', 's1', 's4'], over_roofs: ['s4'] };
+    for (const record of [full, ...others]) {
         const read = recordFromMetadata(metadataOf(record));
         for (const key of ['id', 'kind', 'name', 'origin', 'box', 'ground', 'shapes']) assert.deepEqual(read[key], record[key], key);
+        assert.deepEqual(read.bodies, record.bodies ?? []);
+        assert.deepEqual([read.visible, read.over_roofs], [record.visible, record.over_roofs]);
         assert.deepEqual(read.gates.map(({ id, to, line }) => ({ id, to, line })), record.gates);
         assert.deepEqual(read.neighbours.map(({ id, origin, box }) => ({ id, origin, box })),
             record.neighbours.map(({ id, origin, box }) => ({ id, origin, box })));
@@ -74,6 +77,15 @@ test('the bundled Script loads its start, then the neighbours the record tells o
     assert.deepEqual(shown(fields), ['sectors/s1.x3d', 'sectors/s2.x3d', 'sectors/s3.x3d', 'sectors/yard.x3d']);
     const yard = fields.world.children.find(place => place.children[0]?.url[0] === 'sectors/yard.x3d');
     assert.deepEqual([yard.translation.x, yard.translation.z], [100, -20]);
+});
+
+test('the bundled Script shows far and tall files of what the record lists as visible', () => {
+    const fields = rootWorld('s1', seeingFar(streetRecords(), { overRoofs: ['s5'] })), script = runScript(fields);
+    frames(script, 12);
+    assert.deepEqual(shown(fields).map(url => url.slice('sectors/'.length)),
+        ['s0.x3d', 's1.x3d', 's2.x3d', 's3.far.x3d', 's4.far.x3d', 's5.tall.x3d', 'yard.far.x3d']);
+    const far = fields.world.children.find(place => place.children[0]?.url[0] === 'sectors/s4.far.x3d');
+    assert.deepEqual([far.translation.x, far.translation.z], [180, -5]);
 });
 
 test('the bundled Script follows the visitor and says so', () => {

@@ -6,6 +6,7 @@
 
 #include "tests/support/scratch.hpp"
 
+/// The program as a user runs it. Needs  VICUS_PROGRAM, its path, defined by tests/CMakeLists.txt.
 namespace vicus::test {
 
 /// `vicus ARGUMENTS`: exit code, stdout and stderr.

@@ -1,0 +1,47 @@
+/**
+ * A sector's record out of its file's metadata (client_scripts/README.md), in the shape of /sectors/ID.json.
+ *
+ * Needs   a tree of { name, value }: a set's values are { name, value } again, a leaf's are texts or numbers.
+ * Fails   Error: a ground whose counts do not add up.
+ */
+export function recordFromMetadata(set) {
+    const record = leavesOf(set);
+    record.ground = ringsOf(record.id, record.ground ?? [], record.ground_counts ?? []);
+    delete record.ground_counts;
+    record.bodies = tuples(record.bodies ?? [], 3);
+    record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2) }));
+    record.neighbours = setsOf(set, 'neighbour');
+    return record;
+}
+
+const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies'];
+
+function isSet(item) {
+    return typeof item.value[0] === 'object';
+}
+
+function leavesOf(set) {
+    const record = {};
+    for (const item of Array.from(set.value)) {
+        if (isSet(item)) continue;
+        const values = Array.from(item.value);
+        record[item.name] = kLists.includes(item.name) ? values : values[0];
+    }
+    return record;
+}
+
+function setsOf(set, name) {
+    return Array.from(set.value).filter(item => item.name === name && isSet(item)).map(leavesOf);
+}
+
+function tuples(flat, size) {
+    return Array.from({ length: Math.floor(flat.length / size) }, (_, i) => flat.slice(size * i, size * (i + 1)));
+}
+
+function ringsOf(id, flat, counts) {
+    const points = tuples(flat, 2);
+    if (counts.reduce((sum, count) => sum + count, 0) !== points.length)
+        throw new Error(`sector ${id}: ground_counts ${counts} do not add up to its ${points.length} points`);
+    let at = 0;
+    return counts.map(count => points.slice(at, at += count));
+}

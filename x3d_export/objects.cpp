@@ -1,0 +1,61 @@
+#include "x3d_export/objects.hpp"
+
+#include <algorithm>
+
+#include "x3d_export/text.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kTree_m = 8, kLamp_m = 4.5;  // typical, where the map names no height
+/// What a visitor steps over, and what passes above his head.
+constexpr double kShin_m = 0.3, kHead_m = 1.95;
+
+std::vector<Spindle> tree(const StandaloneObject& object) {
+  constexpr Colour kTrunk{94, 74, 56};
+  constexpr Colour kCrowns[] = {{74, 104, 52}, {88, 116, 58}, {66, 94, 56}, {98, 122, 66}};
+  const Colour crown = kCrowns[steady_hash(object.id) % std::size(kCrowns)];
+  const double h = object.height_m > 0 ? object.height_m : kTree_m, radius_m = std::min(0.3 * h, 4.0);
+  return {{3, 0.02 * h, 0.02 * h, 0, 0.4 * h, kTrunk},
+          {5, 0, radius_m, 0.28 * h, 0.55 * h, crown},
+          {5, radius_m, 0, 0.55 * h, h, crown}};
+}
+
+std::vector<Spindle> lamp(const StandaloneObject& object) {
+  constexpr Colour kPost{60, 66, 62}, kGlass{236, 228, 200};
+  const double h = object.height_m > 0 ? object.height_m : kLamp_m;
+  return {
+      {3, 0.08, 0.05, 0, h - 0.6, kPost}, {4, 0.06, 0.2, h - 0.6, h - 0.2, kGlass}, {4, 0.22, 0, h - 0.2, h, kPost}};
+}
+
+/// The widest the spindle is between two heights; 0 where it does not reach there.
+double widest_m(const Spindle& s, double from_m, double to_m) {
+  const double low = std::max(s.low_m, from_m), high = std::min(s.high_m, to_m);
+  if (low >= high) return 0;
+  const auto radius_at = [&](double up_m) {
+    return s.radius_low_m + (s.radius_high_m - s.radius_low_m) * (up_m - s.low_m) / (s.high_m - s.low_m);
+  };
+  return std::max(radius_at(low), radius_at(high));
+}
+
+}  // namespace
+
+std::vector<Spindle> spindles_of(const StandaloneObject& object) {
+  constexpr Colour kStone{176, 170, 158}, kWater{122, 158, 176}, kBronze{86, 96, 86}, kWood{128, 98, 68};
+  if (object.kind == "tree") return tree(object);
+  if (object.kind == "street_lamp") return lamp(object);
+  if (object.kind == "fountain")
+    return {{8, 1.6, 1.6, 0, 0.5, kStone}, {8, 1.6, 0, 0.5, 0.51, kWater}, {6, 0.2, 0, 0.4, 2.2, kStone}};
+  if (object.kind == "bench") return {{4, 0.5, 0.5, 0, 0.45, kWood}, {4, 0.5, 0, 0.45, 0.46, kWood}};
+  if (object.kind == "statue" || object.kind == "monument" || object.kind == "memorial")
+    return {{4, 0.7, 0.6, 0, 1.4, kStone}, {4, 0.6, 0, 1.4, 1.41, kStone}, {6, 0.35, 0, 1.4, 3.4, kBronze}};
+  return {};
+}
+
+double body_radius_m(const StandaloneObject& object) {
+  double radius_m = 0;
+  for (const auto& s : spindles_of(object)) radius_m = std::max(radius_m, widest_m(s, kShin_m, kHead_m));
+  return radius_m;
+}
+
+}  // namespace vicus
