@@ -49,7 +49,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   Plan plan;
 
   clock.begin("normalise");
-  plan.blocks = make_blocks(map);
+  plan.blocks = make_blocks(map, city.issues);
   plan.domain = make_domain(map, plan.blocks);
   if (plan.domain.empty()) throw CityError("nothing to build a city from: no footprint and no street", 4);
   plan.kerbs = make_kerbs(map, plan.blocks, plan.domain);
