@@ -12,7 +12,7 @@ namespace {
 constexpr double kPassageHalfWidthMin = 1.25, kPassageHalfWidthMax = 3.0;
 // A street through a house without a passage: farther than a corner is cut, no farther than a broad viaduct, the house
 // longer than that, and something of it on both sides.
-constexpr double kThroughLeastM = 3, kThroughMostM = 60, kLongHouse = 2.5, kPierM2 = 20;
+constexpr double kThroughLeastM = 3, kThroughMostM = 60, kLongHouse = 2.5, kPierM2 = 6;
 constexpr double kStreetHalfWidthMax = 9;
 constexpr double kOpeningHalfWidth = 1.5;  // a gate in a wall or fence
 constexpr double kWallThicknessMin = 0.2;  // thinner ones would come out as slivers
@@ -66,11 +66,15 @@ Stroke street_stroke(const Axis& axis) {
   return {axis.line, std::clamp(axis.width_m / 2, kPassageHalfWidthMin, kStreetHalfWidthMax)};
 }
 
-/// Do the strokes part the house in pieces that count?
+/// Do the strokes part the house in pieces that count, or open a court in it?
 bool part(const Polygon& house, const std::vector<Stroke>& strokes) {
   int large = 0;
-  for (const auto& p : subtract(house, stroke_outlines(strokes, Cap::square))) large += area_m2(p) >= kPierM2;
-  return large >= 2;
+  std::size_t holes = 0;
+  for (const auto& p : subtract(house, stroke_outlines(strokes, Cap::square))) {
+    large += area_m2(p) >= kPierM2;
+    holes += p.holes.size();
+  }
+  return large >= 2 || (large == 1 && holes < house.holes.size());
 }
 
 /// Streets that lead right through a long house, ways that meet inside taken together. What cuts a corner or ends
