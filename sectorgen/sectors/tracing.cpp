@@ -139,4 +139,19 @@ Ring Bends::apply(const Ring& ring) const {
   return out;
 }
 
+std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends) {
+  std::vector<FeatureSide> all;
+  for (const auto& part : map) {
+    if (part.layer != layer) continue;
+    const Ring ring = bends.apply(part.points);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (ring[i] != ring[(i + 1) % ring.size()]) all.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<FeatureSide> out;
+  for (const FeatureSide& s : all)
+    if (!std::binary_search(all.begin(), all.end(), FeatureSide{s.b, s.a, s.feature})) out.push_back(s);
+  return out;
+}
+
 }  // namespace vicus

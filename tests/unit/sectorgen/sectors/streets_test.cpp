@@ -114,6 +114,19 @@ TEST(Streets, WithoutAnyStreetTheWideGroundIsWalked) {
   EXPECT_FALSE(city.sectors.empty());
 }
 
+TEST(Streets, ASpikeThatRoundingClosedIsNobodysFacade) {
+  // The first house has a spike 1 mm wide down to y = 10; the second house's corner at y = 12 snaps its sides together,
+  // and they run along the second house's east wall.
+  SourceMap map = one_street();
+  std::erase_if(map.footprints, [](const Footprint& f) { return f.source_id == "north10"; });
+  map.footprints.insert(
+      map.footprints.begin(),
+      {house("spiked",
+             {{at(100, 16), at(100, 14), at(105, 14), at(105, 10), at(105.001, 14), at(110, 14), at(110, 16)}, {}}),
+       house("beside", box(102, 10, 105, 12))});
+  built(std::move(map));  // rule 2 was broken: the wall was the first house's
+}
+
 TEST(Streets, NothingAtAllIsRefused) {
   BuildReport report;
   try {
