@@ -148,9 +148,13 @@ std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer 
       if (ring[i] != ring[(i + 1) % ring.size()]) all.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
   }
   std::sort(all.begin(), all.end());
+  const auto count = [&](const FeatureSide& s) {
+    const auto [first, last] = std::equal_range(all.begin(), all.end(), s);
+    return last - first;
+  };
   std::vector<FeatureSide> out;
-  for (const FeatureSide& s : all)
-    if (!std::binary_search(all.begin(), all.end(), FeatureSide{s.b, s.a, s.feature})) out.push_back(s);
+  for (const FeatureSide& s : all)  // a side walked on and back and on again is one
+    if ((out.empty() || out.back() < s) && count(s) > count({s.b, s.a, s.feature})) out.push_back(s);
   return out;
 }
 

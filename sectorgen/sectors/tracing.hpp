@@ -64,8 +64,8 @@ struct FeatureSide {
   }
 };
 
-/// Sides of one layer's features with the bends of their edges, sorted. What a feature walks both ways (a spike that
-/// rounding closed) is no side of it.
+/// Sides of one layer's features with the bends of their edges, sorted. What a feature walks as often back (a
+/// spike that rounding closed) is no side of it.
 std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends);
 
 /// Features as they ended up: simple polygons with the bends of their edges. A ring that rounding pinched may give
