@@ -33,6 +33,7 @@ enum class IssueCode {
   // 3xx streets
   unmapped_street = 301,  ///< an opening between sectors that looks like a street without an axis
   street_too_short = 302,
+  unmapped_passage = 303,  ///< a street leads below a long house whose map shows no passage
   // 4xx sectors
   over_budget = 401,  ///< a sector exceeds the byte budget and has no chord left to cut at
   yard_closed = 402,  ///< ground reached only by a gap too narrow to walk

@@ -54,6 +54,7 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::part_outside, "part_outside"},
                                           {IssueCode::unmapped_street, "unmapped_street"},
                                           {IssueCode::street_too_short, "street_too_short"},
+                                          {IssueCode::unmapped_passage, "unmapped_passage"},
                                           {IssueCode::over_budget, "over_budget"},
                                           {IssueCode::yard_closed, "yard_closed"},
                                           {IssueCode::not_reached, "not_reached"},

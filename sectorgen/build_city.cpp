@@ -68,7 +68,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   Plan plan;
 
   clock.begin("normalise");
-  plan.blocks = make_blocks(map);
+  plan.blocks = make_blocks(map, city.issues);
   plan.domain = make_domain(map, plan.blocks);
   if (plan.domain.empty()) throw CityError("nothing to build a city from: no footprint and no street", 4);
   if (!options.terrain.empty()) add_terrain(options.terrain, plan.domain, city, report);
@@ -88,6 +88,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
     plan.routes = route_axes(plan.ground, map.axes, map.areas);
     plan.cells = cut_cells(plan.ground, plan.routes, cuts);
     merge_cells(plan.ground, plan.routes, plan.cells);
+    split_long_cells(plan.ground, cuts, plan.cells);
     // A cut through a small obstacle, or a sector too heavy to leave whole: cut again with those obstacles in the mesh.
     const auto heavy = islands_in_heavy_cells(plan.ground, plan.cells, limit);
     needed = crossed_islands(plan.ground, plan.cells);

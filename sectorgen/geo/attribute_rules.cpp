@@ -152,6 +152,18 @@ bool is_tunnel_name(const std::string& name) {
   return false;
 }
 
+/// "Berliner Stadtbahn", "Südbahn", "Köflacherbahn", "Ligne 13", "Métro 2": no street, whatever class leaked to it.
+bool is_rail_name(const std::string& name) {
+  const std::string lower = lower_case(name);
+  for (const char* start : {"ligne ", "métro ", "metro ", "rer ", "tramway ", "chemin de fer ", "line "})
+    if (lower.rfind(start, 0) == 0) return true;
+  static const Words at = {"an", "am", "auf", "bei", "hinter", "unter", "vor", "zum", "zur"};  // "An der Ostbahn"
+  if (at.count(lower.substr(0, lower.find(' ')))) return false;
+  const std::string word = lower.substr(lower.find_last_of(" -") + 1);  // npos + 1 == 0
+  static const Words roads = {"bahn", "autobahn", "stadtautobahn", "reeperbahn", "rennbahn", "eisbahn", "kegelbahn"};
+  return word.size() > 4 && word.compare(word.size() - 4, 4, "bahn") == 0 && !roads.count(word);
+}
+
 /// `class`, `subclass`, `brunnel`, `service` of vector tiles leak from one feature to the next: a name outweighs them.
 /// Source  research SECTORS §2, §6.
 void translate_tile_street(Tags& tags) {
@@ -162,7 +174,7 @@ void translate_tile_street(Tags& tags) {
   for (const char* key : {"class", "subclass", "brunnel", "service", "tunnel", "layer"}) tags.erase(key);
   if (is_bridge) tags["bridge"] = "yes";
   tags["highway"] = "no";
-  if (kTileRails.count(kind) || (is_tunnel && (name.empty() || is_tunnel_name(name)))) return;
+  if (kTileRails.count(kind) || is_rail_name(name) || (is_tunnel && (name.empty() || is_tunnel_name(name)))) return;
   static const Words roads = {"motorway", "trunk", "primary", "secondary", "tertiary", "pedestrian", "busway"};
   if (roads.count(kind)) {
     tags["highway"] = kind;

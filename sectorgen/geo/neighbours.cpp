@@ -142,41 +142,6 @@ void adopt_lost_parts(std::vector<Footprint>& footprints, std::vector<Issue>& is
   }
 }
 
-namespace {
-
-/// Length of the segment inside the polygon, and the middle of the longest piece inside.
-double inside_length_m(PlanPoint a, PlanPoint b, const Polygon& polygon, PlanPoint& middle) {
-  std::vector<double> cuts = {0, 1};
-  const auto cut_at_ring = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const PlanPoint c = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1];
-      const std::int64_t side_c = orient(a, b, c), side_d = orient(a, b, d);
-      if ((side_c > 0) == (side_d > 0) && side_c != 0 && side_d != 0) continue;
-      const double from = static_cast<double>(orient(c, d, a)), to = static_cast<double>(orient(c, d, b));
-      if (from != to) cuts.push_back(std::clamp(from / (from - to), 0.0, 1.0));
-    }
-  };
-  cut_at_ring(polygon.outer);
-  for (const Ring& hole : polygon.holes) cut_at_ring(hole);
-  std::sort(cuts.begin(), cuts.end());
-  const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
-  double inside = 0, longest = 0;
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
-    const double t = (cuts[i - 1] + cuts[i]) / 2, piece = cuts[i] - cuts[i - 1];
-    const PlanPoint at{static_cast<std::int32_t>(std::llround(a.x + t * dx)),
-                       static_cast<std::int32_t>(std::llround(a.y + t * dy))};
-    if (piece <= 0 || locate(polygon, at) != Side::inside) continue;
-    inside += piece;
-    if (piece > longest) {
-      longest = piece;
-      middle = at;
-    }
-  }
-  return inside * std::hypot(dx, dy) / kMmPerMetre;
-}
-
-}  // namespace
-
 void find_blocked_streets(const std::vector<Footprint>& footprints, const std::vector<Axis>& axes,
                           std::vector<Issue>& issues) {
   std::vector<PlanBox> segments, houses;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -179,6 +180,12 @@ bool is_passage(const Tags& tags) {
   return tag(tags, "tunnel") == "building_passage" || covered == "yes" || covered == "arcade" || covered == "colonnade";
 }
 
+int axis_level(const Tags& tags) {
+  if (const auto layer = parse_number(tag(tags, "layer")); layer && std::abs(*layer) < 10)
+    return static_cast<int>(*layer);
+  return is_yes(tags, "bridge") ? 1 : 0;
+}
+
 bool is_wall(const Tags& tags) {
   const std::string& kind = tag(tags, "barrier");
   return kind == "wall" || kind == "city_wall" || kind == "retaining_wall";
@@ -213,6 +220,13 @@ bool is_open_below(const Tags& tags) {
   return false;
 }
 
+bool is_raised(const Tags& tags) {
+  const std::string& kind = tag(tags, "building");
+  if (kind == "bridge" || kind == "viaduct" || is_yes(tags, "bridge") || tag(tags, "man_made") == "bridge") return true;
+  const auto layer = parse_number(tag(tags, "layer"));
+  return layer && *layer >= 1;
+}
+
 bool is_outbuilding(const Tags& tags) {
   static const Words low = {"garage",
                             "garages",
@@ -237,6 +251,9 @@ bool is_outbuilding(const Tags& tags) {
   return low.count(tag(tags, "building")) > 0;
 }
 
+// A bridge, a viaduct or a house above the ground, where no underside is tagged: room for a lorry, and a deck.
+constexpr double kUnderDeckM = 4.5, kDeckM = 1, kLeastRaisedM = 4;
+
 double building_base_m(const Tags& tags, Theme theme, double height_m) {
   double base = 0;
   if (const auto min_height = parse_metres(tag(tags, "min_height"))) {
@@ -247,6 +264,8 @@ double building_base_m(const Tags& tags, Theme theme, double height_m) {
   } else if (is_open_below(tags)) {
     // The roof itself is taken as half a metre thick.
     base = std::max(height_m - 0.5, height_m / 2);
+  } else if (theme == Theme::building && is_raised(tags) && height_m >= kLeastRaisedM) {
+    base = std::min(height_m - kDeckM, kUnderDeckM);
   }
   if (!(base > 0)) return 0;
   // A house on a plinth blocks the ground; a part keeps its underside, its building's outline blocks.

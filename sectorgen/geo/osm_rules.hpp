@@ -23,6 +23,8 @@ bool is_walked_way(const Tags& tags);
 /// Carriageway and pavements: `width`, else lanes x 3 m + pavements, else typical for the kind.
 double axis_width_m(const Tags& tags);
 bool is_passage(const Tags& tags);
+/// `layer`, else 1 for a bridge, else 0; -9 .. 9.
+int axis_level(const Tags& tags);
 
 bool is_wall(const Tags& tags);
 double barrier_height_m(const Tags& tags);
@@ -35,6 +37,8 @@ double building_base_m(const Tags& tags, Theme theme, double height_m);
 inline constexpr double kWalkableUnderM = 2.5;
 inline constexpr double kStoreyM = 3.0;
 
+/// building=bridge, viaduct, bridge=*, layer >= 1: a deck or a house above ground that one walks on below.
+bool is_raised(const Tags& tags);
 /// building=roof, canopy, carport: stands on posts.
 bool is_open_below(const Tags& tags);
 /// garage, shed, hut, ...: low where no height is tagged.

@@ -174,6 +174,7 @@ class Placer {
     axis.is_passage = is_passage(tags);
     axis.is_bridge = is_yes(tags, "bridge");
     axis.is_steps = axis.kind == "steps";
+    axis.level = axis_level(tags);
     axis.line = std::move(line);
     map_.axes.push_back(std::move(axis));
   }

@@ -64,15 +64,6 @@ bool has_clash(std::vector<Edge>& edges) {
 
 }  // namespace
 
-double perimeter_m(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-  }
-  return sum / kMmPerMetre;
-}
-
 Ring without_repeats(const Ring& ring) {
   Ring kept;
   kept.reserve(ring.size());

@@ -4,8 +4,6 @@
 /// Exact facts about rings and polygons on the lattice, in integers.
 namespace vicus {
 
-double perimeter_m(const Ring& ring);
-
 /// Without consecutive equal points, the last against the first too.
 Ring without_repeats(const Ring& ring);
 /// Outer counter-clockwise, holes clockwise.

@@ -31,6 +31,7 @@ struct Axis {
   double width_m = 0;       ///< carriageway and pavements as tagged, or typical for the kind; > 0
   bool is_passage = false;  ///< tunnel=building_passage (or covered)
   bool is_bridge = false, is_steps = false;
+  int level = 0;  ///< layer, or 1 for a bridge without one: who passes over whom where two cross without a junction
   std::vector<PlanPoint> line;  ///< >= 2 points, consecutive ones differ
 };
 

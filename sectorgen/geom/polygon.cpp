@@ -1,6 +1,7 @@
 #include "sectorgen/geom/polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "sectorgen/geom/triangulation.hpp"
@@ -39,6 +40,45 @@ Side locate(const Polygon& polygon, PlanPoint p) {
   for (const auto& hole : polygon.holes)
     if (scan(hole)) return Side::boundary;
   return inside ? Side::inside : Side::outside;
+}
+
+double inside_length_m(PlanPoint a, PlanPoint b, const Polygon& polygon, PlanPoint& middle) {
+  std::vector<double> cuts = {0, 1};
+  const auto cut_at_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const PlanPoint c = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const std::int64_t side_c = orient(a, b, c), side_d = orient(a, b, d);
+      if ((side_c > 0) == (side_d > 0) && side_c != 0 && side_d != 0) continue;
+      const double from = static_cast<double>(orient(c, d, a)), to = static_cast<double>(orient(c, d, b));
+      if (from != to) cuts.push_back(std::clamp(from / (from - to), 0.0, 1.0));
+    }
+  };
+  cut_at_ring(polygon.outer);
+  for (const Ring& hole : polygon.holes) cut_at_ring(hole);
+  std::sort(cuts.begin(), cuts.end());
+  const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
+  double inside = 0, longest = 0;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double t = (cuts[i - 1] + cuts[i]) / 2, piece = cuts[i] - cuts[i - 1];
+    const PlanPoint at{static_cast<std::int32_t>(std::llround(a.x + t * dx)),
+                       static_cast<std::int32_t>(std::llround(a.y + t * dy))};
+    if (piece <= 0 || locate(polygon, at) != Side::inside) continue;
+    inside += piece;
+    if (piece > longest) {
+      longest = piece;
+      middle = at;
+    }
+  }
+  return inside * std::hypot(dx, dy) / kMmPerMetre;
+}
+
+double perimeter_m(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
+  }
+  return sum / kMmPerMetre;
 }
 
 Ring convex_hull(std::vector<PlanPoint> points) {

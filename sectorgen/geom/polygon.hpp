@@ -19,6 +19,11 @@ double area_m2(const Polygon& polygon);
 /// Exact; even-odd over all rings.
 Side locate(const Polygon& polygon, PlanPoint p);
 
+/// Metres of the segment inside the polygon, and the middle of the longest piece inside (rounded).
+double inside_length_m(PlanPoint a, PlanPoint b, const Polygon& polygon, PlanPoint& middle);
+/// Metres of a closed ring.
+double perimeter_m(const Ring& ring);
+
 /// Convex hull, counter-clockwise, no collinear points (Andrew's monotone chain).
 Ring convex_hull(std::vector<PlanPoint> points);
 /// Largest distance of two points of a convex ring, metres.

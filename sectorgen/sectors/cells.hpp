@@ -34,6 +34,11 @@ Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& op
 /// one street.
 void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
 
+/// Cells longer than 240 m, mostly open ground, are cut in pieces of about 200 m, each cut the cheapest near its place:
+/// short, along plot lines and outlines rather than across the grass. What is cut depends on the cell alone, so an edit
+/// beyond its neighbours changes nothing.
+void split_long_cells(const Ground& ground, const CutOptions& options, Cells& cells);
+
 /// A sector's bytes grow with the sides of its ground: about kBytesPerSide each (docs/figures.md), with the house
 /// behind.
 inline constexpr std::uint64_t kBytesPerSide = 45;

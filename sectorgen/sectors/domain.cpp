@@ -5,7 +5,6 @@
 
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
-#include "sectorgen/sectors/overlay.hpp"
 
 namespace vicus {
 namespace {
@@ -345,6 +344,7 @@ std::vector<Line> make_kerbs(const SourceMap& map, const Blocks& blocks, const s
 
   const std::vector<Stroke> open = open_strokes(map, clear_at);
   add_tiled_kerbs(open, clear_at, kerbs);
+  for (auto& line : outline_kerbs(map, blocks, domain, kerbs)) kerbs.push_back(std::move(line));
   return kerbs;
 }
 

@@ -313,20 +313,6 @@ std::vector<char> free_triangles(const Mesh& mesh, const std::vector<GroundEdge>
 
 }  // namespace
 
-std::uint32_t Ground::edge_id(std::uint32_t t, int k) const {
-  const std::uint32_t mine = 3 * t + static_cast<std::uint32_t>(k % 3);
-  const std::uint32_t n = beyond(t, k % 3);
-  if (n == kNone || n > t) return mine;
-  return 3 * n + static_cast<std::uint32_t>(mesh.twin_side(t, k % 3));
-}
-
-bool Ground::is_crossable(std::uint32_t t, int k) const {
-  const std::uint32_t n = beyond(t, k);
-  if (n == kNone || !is_free[t] || !is_free[n]) return false;
-  const std::uint32_t e = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
-  return e == kNone || edges[e].is_kerb();
-}
-
 bool Ground::is_city_edge(std::uint32_t t, int k) const {
   const std::uint32_t e = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
   return is_free[t] && e != kNone && !edges[e].is_kerb() && sides[edges[e].side].beyond == Beyond::city_edge;

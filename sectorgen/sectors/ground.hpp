@@ -54,6 +54,21 @@ struct Ground {
   }
 };
 
+// Asked for every edge at every step: inline.
+inline std::uint32_t Ground::edge_id(std::uint32_t t, int k) const {
+  const std::uint32_t mine = 3 * t + static_cast<std::uint32_t>(k % 3);
+  const std::uint32_t n = beyond(t, k % 3);
+  if (n == kNone || n > t) return mine;
+  return 3 * n + static_cast<std::uint32_t>(mesh.twin_side(t, k % 3));
+}
+
+inline bool Ground::is_crossable(std::uint32_t t, int k) const {
+  const std::uint32_t n = beyond(t, k);
+  if (n == kNone || !is_free[t] || !is_free[n]) return false;
+  const std::uint32_t e = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
+  return e == kNone || edges[e].is_kerb();
+}
+
 /// The noded map triangulated, with how many features of each layer cover each triangle: the ground before small
 /// obstacles are taken out and T-vertices put in. Made once, cut several times.
 /// Source  research/SECTORS.md §4.1.

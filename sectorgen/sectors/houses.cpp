@@ -10,27 +10,18 @@
 
 namespace vicus {
 
-Facades::Facades(const Plan& plan, const Bends& bends) {
-  for (const auto& part : plan.noded) {
-    if (part.layer != Layer::house) continue;
-    const Ring ring = bends.apply(part.points);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (ring[i] != ring[(i + 1) % ring.size()])
-        sides_.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
-  }
-  std::sort(sides_.begin(), sides_.end(), less);
-}
+Facades::Facades(const Plan& plan, const Bends& bends) : sides_(feature_sides(plan.noded, Layer::house, bends)) {}
 
 std::uint32_t Facades::house_behind(PlanPoint a, PlanPoint b) const {
-  const auto it = std::lower_bound(sides_.begin(), sides_.end(), Side{b, a, 0}, less);
-  return it != sides_.end() && it->a == b && it->b == a ? it->house : kNone;
+  const auto it = std::lower_bound(sides_.begin(), sides_.end(), FeatureSide{b, a, 0});
+  return it != sides_.end() && it->a == b && it->b == a ? it->feature : kNone;
 }
 
 template <class Visit>
 void Facades::visit(PlanPoint a, PlanPoint b, Visit visit) const {
-  for (auto it = std::lower_bound(sides_.begin(), sides_.end(), Side{a, b, 0}, less);
+  for (auto it = std::lower_bound(sides_.begin(), sides_.end(), FeatureSide{a, b, 0});
        it != sides_.end() && it->a == a && it->b == b; ++it)
-    visit(it->house);
+    visit(it->feature);
 }
 
 namespace {

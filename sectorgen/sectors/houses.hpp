@@ -18,14 +18,7 @@ class Facades {
   void visit(PlanPoint a, PlanPoint b, Visit visit) const;
 
  private:
-  struct Side {
-    PlanPoint a, b;
-    std::uint32_t house;
-  };
-  std::vector<Side> sides_;
-  static bool less(const Side& x, const Side& y) {
-    return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.house < y.house;
-  }
+  std::vector<FeatureSide> sides_;
   friend struct HouseWriter;
 };
 

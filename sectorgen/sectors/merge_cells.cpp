@@ -12,6 +12,7 @@ namespace {
 constexpr double kOwnCrossroadsM2 = 900, kOwnCrossroadsSpan = 55;  // m2, m
 constexpr double kLengthAim = 162;                                 // m
 constexpr double kYardFront = 0.4;                                 // of the smaller yard's span
+constexpr double kStripWidth = 6, kStripFront = 0.5;               // m; of the strip's span
 constexpr double kSliverM2 = 80, kSliverSpan = 12;
 constexpr double kJoinSpan = 120, kJoinConvexity = 0.8;  // pieces of one street
 
@@ -120,6 +121,22 @@ class Merger {
         if (diameter_m(hull) > kJoinSpan) continue;
         const double joint = (a.area + b.area) / Cell::hull_area(hull);
         if (joint > best_convexity) best = d, best_convexity = joint;
+      }
+      return best;
+    });
+  }
+
+  /// A strip of front gardens before a row of houses is part of its street, fence or not.
+  void absorb_strips() {
+    for_smallest([&](std::uint32_t c) {
+      const Cell& b = cell_[c];
+      if (b.kind != CellKind::yard || b.area >= kStripWidth * b.span()) return kNone;
+      std::uint32_t best = kNone;
+      double widest = kStripFront * b.span();
+      for (const auto& [d, border] : b.to) {
+        if (cell_[d].kind == CellKind::yard || metres(border.mm) <= widest) continue;
+        best = d;
+        widest = metres(border.mm);
       }
       return best;
     });
@@ -264,6 +281,7 @@ void merge_cells(const Ground& g, const Routes& r, Cells& cells) {
   Merger merger(g, r, cells);
   merger.absorb_crossroads();
   merger.open_wedges();
+  merger.absorb_strips();
   merger.join_yards();
   merger.absorb_slivers();
   merger.join_pieces();

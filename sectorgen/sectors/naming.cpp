@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t kBearsNameMm = 6'000;  // of centre line inside: the sector bears the street's name
 constexpr double kOpenM2 = 3'000;
+constexpr double kOpenEnds = 4;         // of its width: a street is open at its ends, a row of gardens along its side
 constexpr double kStreetOpening = 5.0;  // m (research/SECTORS.md §6)
 
 /// Area of the cells' triangles whose centre lies in each of the polygons: (cell, polygon) -> m2.
@@ -37,18 +38,21 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered(const Plan& pl
   return out;
 }
 
-/// Longer than wide, with openings into two different streets: a street nobody mapped.
+/// Longer than wide, with openings into two different streets at its ends: a street nobody mapped.
 bool looks_like_street(const City& city, std::uint32_t c, const std::vector<std::vector<const Gate*>>& gates,
                        const Cells& cells) {
   std::set<std::string> into;
+  double open = 0;  // m of its sides
   for (const Gate* g : gates[c]) {
     if (g->kind == GateKind::end_of_city || cells.kind[std::stoul(g->to_sector_id)] == CellKind::yard) continue;
-    if (metres(length_mm(g->line.front(), g->line.back())) >= kStreetOpening) into.insert(g->to_sector_id);
+    const double width = metres(length_mm(g->line.front(), g->line.back()));
+    open += width;
+    if (width >= kStreetOpening) into.insert(g->to_sector_id);
   }
   if (into.size() < 2) return false;
   const auto& s = city.sectors[c];
   const double length = diameter_m(convex_hull(s.ground.outer)), width = area_m2(s.ground) / length;
-  return length > 3 * width && width < 40;
+  return length > 3 * width && width < 40 && open < kOpenEnds * width;
 }
 
 }  // namespace

@@ -11,6 +11,10 @@ namespace vicus {
 namespace {
 
 constexpr double kPassageHalfWidthMin = 1.25, kPassageHalfWidthMax = 3.0;
+// A street through a house without a passage: farther than a corner is cut, no farther than a broad viaduct, the house
+// longer than that, and something of it on both sides.
+constexpr double kThroughLeastM = 3, kThroughMostM = 60, kLongHouse = 2.5, kPierM2 = 6;
+constexpr double kStreetHalfWidthMax = 9;
 constexpr double kOpeningHalfWidth = 1.5;  // a gate in a wall or fence
 constexpr double kWallThicknessMin = 0.2;  // thinner ones would come out as slivers
 
@@ -30,12 +34,103 @@ struct Strokes {
   }
 };
 
-void add_houses(const SourceMap& map, Blocks& blocks) {
+/// Streets that are no passage and no bridge, to see which of them lead through a house.
+struct Streets {
+  std::vector<std::uint32_t> axes;
+  BoxIndex index;
+  explicit Streets(const SourceMap& map) {
+    std::vector<PlanBox> boxes;
+    for (std::uint32_t i = 0; i < map.axes.size(); ++i) {
+      if (map.axes[i].is_passage || map.axes[i].is_bridge) continue;
+      axes.push_back(i);
+      boxes.push_back(box_of(map.axes[i].line));
+    }
+    index = BoxIndex(std::move(boxes));
+  }
+};
+
+double length_inside_m(const Line& line, const Polygon& house) {
+  double length = 0;
+  PlanPoint middle;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += inside_length_m(line[i], line[i + 1], house, middle);
+  return length;
+}
+
+Stroke street_stroke(const Axis& axis) {
+  return {axis.line, std::clamp(axis.width_m / 2, kPassageHalfWidthMin, kStreetHalfWidthMax)};
+}
+
+/// Do the strokes part the house in pieces that count, or open a court in it?
+bool part(const Polygon& house, const std::vector<Stroke>& strokes) {
+  int large = 0;
+  std::size_t holes = 0;
+  for (const auto& p : subtract(house, stroke_outlines(strokes, Cap::square))) {
+    large += area_m2(p) >= kPierM2;
+    holes += p.holes.size();
+  }
+  return large >= 2 || (large == 1 && holes < house.holes.size());
+}
+
+/// Streets that lead right through a long house, ways that meet inside taken together. What cuts a corner or ends
+/// inside does not.
+std::vector<std::uint32_t> unmapped_passages(const SourceMap& map, const Streets& streets, const Polygon& house) {
+  struct Chain {
+    std::vector<std::uint32_t> axes;
+    std::vector<Stroke> strokes;
+    std::vector<PlanPoint> ends;  // inside the house
+  };
+  std::vector<Chain> chains;
+  const double length = perimeter_m(house.outer) / 2;
+  for (std::uint32_t k : streets.index.meeting(box_of(house))) {
+    const Axis& axis = map.axes[streets.axes[k]];
+    const double inside = length_inside_m(axis.line, house);
+    if (inside < kThroughLeastM || inside > kThroughMostM || inside * kLongHouse > length) continue;
+    Chain chain{{streets.axes[k]}, {street_stroke(axis)}, {}};
+    for (PlanPoint end : {axis.line.front(), axis.line.back()})
+      if (locate(house, end) == Side::inside) chain.ends.push_back(end);
+    for (auto it = chains.begin(); it != chains.end();) {  // joins those that end where this one does
+      const bool meets = std::any_of(chain.ends.begin(), chain.ends.end(), [&](PlanPoint p) {
+        return std::find(it->ends.begin(), it->ends.end(), p) != it->ends.end();
+      });
+      if (!meets) {
+        ++it;
+        continue;
+      }
+      chain.axes.insert(chain.axes.end(), it->axes.begin(), it->axes.end());
+      chain.strokes.insert(chain.strokes.end(), it->strokes.begin(), it->strokes.end());
+      chain.ends.insert(chain.ends.end(), it->ends.begin(), it->ends.end());
+      it = chains.erase(it);
+    }
+    chains.push_back(std::move(chain));
+  }
+  std::vector<std::uint32_t> through;
+  for (const Chain& chain : chains)
+    if (part(house, chain.strokes)) through.insert(through.end(), chain.axes.begin(), chain.axes.end());
+  std::sort(through.begin(), through.end());
+  return through;
+}
+
+/// The fault "the street stops at the house" becomes "a passage was made".
+void report_passage(const Axis& axis, const Footprint& house, std::vector<Issue>& issues) {
+  PlanPoint at = axis.line.front();
+  std::erase_if(issues, [&](const Issue& issue) {
+    const bool is_it = issue.code == IssueCode::building_in_street && issue.source_id == axis.source_id &&
+                       locate(house.area, issue.at) != Side::outside;
+    if (is_it) at = issue.at;
+    return is_it;
+  });
+  issues.push_back({IssueCode::unmapped_passage,
+                    "Leads right through " + house.source_id + ", which shows no passage; one was made.",
+                    axis.source_id, at});
+}
+
+void add_houses(const SourceMap& map, Blocks& blocks, std::vector<Issue>& issues) {
   std::vector<Stroke> passages;
   for (const auto& axis : map.axes)
     if (axis.is_passage)
       passages.push_back({axis.line, std::clamp(axis.width_m / 2, kPassageHalfWidthMin, kPassageHalfWidthMax)});
   const Strokes strokes(std::move(passages));
+  const Streets streets(map);
   for (std::uint32_t i = 0; i < map.footprints.size(); ++i) {
     const Footprint& f = map.footprints[i];
     if (f.is_part) continue;  // parts shape the model; their outline blocks the ground
@@ -43,7 +138,11 @@ void add_houses(const SourceMap& map, Blocks& blocks) {
       blocks.houses.push_back({i, f.area, true, f.base_m});
       continue;
     }
-    const auto near = strokes.near(box_of(f.area));
+    auto near = strokes.near(box_of(f.area));
+    for (std::uint32_t k : unmapped_passages(map, streets, f.area)) {
+      near.push_back(street_stroke(map.axes[k]));
+      report_passage(map.axes[k], f, issues);
+    }
     if (near.empty()) {
       blocks.houses.push_back({i, f.area, false, 0});
       continue;
@@ -118,9 +217,9 @@ void add_walls(const SourceMap& map, Blocks& blocks) {
 
 }  // namespace
 
-Blocks make_blocks(const SourceMap& map) {
+Blocks make_blocks(const SourceMap& map, std::vector<Issue>& issues) {
   Blocks blocks;
-  add_houses(map, blocks);
+  add_houses(map, blocks, issues);
   add_water(map, blocks);
   add_walls(map, blocks);
   return blocks;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/sectors/box_index.hpp"
 #include "sectorgen/sectors/locator.hpp"
 
 namespace vicus {
@@ -29,16 +32,27 @@ struct ReducedPath {
 class Router {
  public:
   Router(const Ground& ground, Routes& routes)
-      : ground_(ground), routes_(routes), locator_(ground.mesh), seen_(ground.mesh.triangles.size(), 0) {}
+      : ground_(ground),
+        routes_(routes),
+        locator_(ground.mesh),
+        seen_(ground.mesh.triangles.size(), 0),
+        is_taken_(seen_.size(), 0) {}
 
-  void add(const Axis& axis, std::uint32_t name) {
+  /// `below`: the axes it passes over, added before.
+  void add(const Axis& axis, std::uint32_t name, const std::vector<std::uint32_t>& below) {
+    for (std::uint32_t lower : below) set_taken(lower, 1);
     ReducedPath path;
     std::uint32_t here = kNone;
     for (std::size_t i = 0; i + 1 < axis.line.size(); ++i) {
       walk(path, axis.line[i], axis.line[i + 1], name, here);
     }
     finish(path);
+    for (std::uint32_t lower : below) set_taken(lower, 0);
   }
+
+  /// Axes whose triangles must be known when those above them are added.
+  void remember(std::uint32_t axis) { recorded_ = &triangles_of_[axis]; }
+  void forget() { recorded_ = nullptr; }
 
  private:
   /// One straight piece; `here` is the triangle it starts from, then the one it ends in.
@@ -55,7 +69,9 @@ class Router {
     for (std::size_t steps = 0; here != kNone && steps < ground_.mesh.triangles.size(); ++steps) {
       const auto exit = exit_of(here, p, q);
       const PlanPoint end = exit ? meeting(here, *exit, p, q) : q;
-      if (ground_.is_free[here]) {
+      if (ground_.is_free[here] && is_taken_[here]) {
+        finish(path);
+      } else if (ground_.is_free[here]) {
         enter(path, here, at);
         if (name != kNone) routes_.uses.push_back({here, name, length_mm(at, end)});
         left_at_ = end;
@@ -145,7 +161,14 @@ class Router {
       routes_.is_used[ground_.edge_id(t, ground_.mesh.side_towards(t, path.triangles[i + 1]))] = 1;
     }
     for (std::uint32_t t : path.triangles) routes_.is_reached[t] = 1;
+    if (recorded_ != nullptr) recorded_->insert(recorded_->end(), path.triangles.begin(), path.triangles.end());
     path.triangles.clear();
+  }
+
+  void set_taken(std::uint32_t axis, char value) {
+    const auto it = triangles_of_.find(axis);
+    if (it == triangles_of_.end()) return;
+    for (std::uint32_t t : it->second) is_taken_[t] = value;
   }
 
   const Ground& ground_;
@@ -153,8 +176,34 @@ class Router {
   Locator locator_;
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
-  PlanPoint left_at_;  ///< where the axis left free ground last
+  PlanPoint left_at_;           ///< where the axis left free ground last
+  std::vector<char> is_taken_;  ///< per triangle: below the axis that is being added
+  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_of_;
+  std::vector<std::uint32_t>* recorded_ = nullptr;
 };
+
+/// For each axis the lower ones it crosses without a common point.
+std::map<std::uint32_t, std::vector<std::uint32_t>> passes_over(const std::vector<Axis>& axes) {
+  std::vector<PlanBox> boxes;
+  for (const Axis& axis : axes) {
+    boxes.emplace_back();
+    for (PlanPoint p : axis.line) boxes.back().add(p);
+  }
+  const BoxIndex index(boxes);
+  const auto cross = [](const Axis& a, const Axis& b) {
+    for (std::size_t i = 0; i + 1 < a.line.size(); ++i)
+      for (std::size_t j = 0; j + 1 < b.line.size(); ++j)
+        if (cross_properly(a.line[i], a.line[i + 1], b.line[j], b.line[j + 1])) return true;
+    return false;
+  };
+  std::map<std::uint32_t, std::vector<std::uint32_t>> over;
+  for (std::uint32_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].level <= 0) continue;
+    for (std::uint32_t j : index.meeting(boxes[i]))
+      if (axes[j].level < axes[i].level && cross(axes[i], axes[j])) over[i].push_back(j);
+  }
+  return over;
+}
 
 /// A dead end of used edges: from its leaf to the junction it hangs on.
 struct Stub {
@@ -286,9 +335,21 @@ Routes route_axes(const Ground& g, const std::vector<Axis>& axes, const std::vec
   r.names.erase(std::unique(r.names.begin(), r.names.end()), r.names.end());
   {
     Router router(g, r);
-    for (const Axis& axis : axes) {
+    const auto over = passes_over(axes);
+    std::set<std::uint32_t> lower;
+    for (const auto& [i, below] : over) lower.insert(below.begin(), below.end());
+    std::vector<std::uint32_t> order(axes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return axes[a].level < axes[b].level; });
+    for (std::uint32_t i : order) {
+      const Axis& axis = axes[i];
       const auto it = std::lower_bound(r.names.begin(), r.names.end(), axis.name);
-      router.add(axis, axis.name.empty() ? kNone : static_cast<std::uint32_t>(it - r.names.begin()));
+      const auto below = over.find(i);
+      if (lower.count(i) != 0) router.remember(i);
+      router.add(axis, axis.name.empty() ? kNone : static_cast<std::uint32_t>(it - r.names.begin()),
+                 below == over.end() ? std::vector<std::uint32_t>{} : below->second);
+      router.forget();
     }
     const Locator locator(g.mesh);
     for (const Area& area : areas) {

@@ -24,6 +24,8 @@ struct Routes {
 
 /// Every axis becomes the sequence of free edges it crosses, back-tracking cancelled; parallel carriageways, tram lanes
 /// and pavements between the same facades give the same sequence. Stubs shorter than max(15 m, their mouth) are pruned.
+/// A street that passes over another one (no common point, a higher level) makes no junction with it: the ground below
+/// its deck belongs to the lower street, so the upper one ends at its sides.
 /// Components of the ground that no axis and no square reaches are not used. Ground without any axis gets the network
 /// of its wide passages instead (edges of at least kWideMm), so that a map without streets still becomes a city. Error
 /// none: exact walk; an axis through a vertex is taken as passing on its left.

@@ -56,7 +56,7 @@ class Writer {
         boundaries_(trace_regions(plan.ground, regions_.of, regions_.count())),
         bends_(plan.ground, boundaries_),
         facades_(plan, bends_),
-        walls_(wall_edges()) {}
+        walls_(feature_sides(plan.noded, Layer::wall, bends_)) {}
 
   void write() {
     write_domain();
@@ -67,17 +67,6 @@ class Writer {
   }
 
  private:
-  std::vector<std::pair<DirectedEdge, std::uint32_t>> wall_edges() const {
-    std::vector<std::pair<DirectedEdge, std::uint32_t>> out;
-    for (const auto& part : plan_.noded) {
-      if (part.layer != Layer::wall) continue;
-      const Ring r = bends_.apply(part.points);
-      for (std::size_t i = 0; i < r.size(); ++i) out.push_back({{r[i], r[(i + 1) % r.size()]}, part.feature});
-    }
-    std::sort(out.begin(), out.end());
-    return out;
-  }
-
   PieceKey key_of(const BoundaryPiece& p) const {
     PieceKey key;
     if (p.other != kNone) {
@@ -106,10 +95,9 @@ class Writer {
     PieceKey key;
     key.other = facades_.house_behind(a, b);
     if (key.other != kNone) return key;
-    const DirectedEdge back{b, a};
-    const auto it = std::lower_bound(walls_.begin(), walls_.end(), std::make_pair(back, std::uint32_t{0}));
-    if (it != walls_.end() && it->first == back) {
-      const Barrier& barrier = map_.barriers[plan_.blocks.walls[it->second].barrier];
+    const auto it = std::lower_bound(walls_.begin(), walls_.end(), FeatureSide{b, a, 0});
+    if (it != walls_.end() && it->a == b && it->b == a) {
+      const Barrier& barrier = map_.barriers[plan_.blocks.walls[it->feature].barrier];
       key.kind = barrier.is_wall ? BorderKind::wall : BorderKind::fence;
       key.height = barrier.height_m;
       return key;
@@ -308,7 +296,7 @@ class Writer {
   Boundaries boundaries_;
   Bends bends_;
   Facades facades_;
-  std::vector<std::pair<DirectedEdge, std::uint32_t>> walls_;
+  std::vector<FeatureSide> walls_;
   std::vector<std::vector<std::uint32_t>> island_cells_;
 };
 

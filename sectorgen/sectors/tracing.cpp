@@ -139,4 +139,23 @@ Ring Bends::apply(const Ring& ring) const {
   return out;
 }
 
+std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends) {
+  std::vector<FeatureSide> all;
+  for (const auto& part : map) {
+    if (part.layer != layer) continue;
+    const Ring ring = bends.apply(part.points);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (ring[i] != ring[(i + 1) % ring.size()]) all.push_back({ring[i], ring[(i + 1) % ring.size()], part.feature});
+  }
+  std::sort(all.begin(), all.end());
+  const auto count = [&](const FeatureSide& s) {
+    const auto [first, last] = std::equal_range(all.begin(), all.end(), s);
+    return last - first;
+  };
+  std::vector<FeatureSide> out;
+  for (const FeatureSide& s : all)  // a side walked on and back and on again is one
+    if ((out.empty() || out.back() < s) && count(s) > count({s.b, s.a, s.feature})) out.push_back(s);
+  return out;
+}
+
 }  // namespace vicus

@@ -55,6 +55,19 @@ class Bends {
   std::vector<Bend> bends_;
 };
 
+/// A directed side of a feature, the feature on its left.
+struct FeatureSide {
+  PlanPoint a, b;
+  std::uint32_t feature = 0;
+  friend bool operator<(const FeatureSide& x, const FeatureSide& y) {
+    return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.feature < y.feature;
+  }
+};
+
+/// Sides of one layer's features with the bends of their edges, sorted. What a feature walks as often back (a
+/// spike that rounding closed) is no side of it.
+std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends);
+
 /// Features as they ended up: simple polygons with the bends of their edges. A ring that rounding pinched may give
 /// several; one that vanished gives none.   visit(layer, feature, polygon)
 template <class Visit>

@@ -43,6 +43,10 @@ TEST(TileStreets, AreNoRailsPlatformsAndUnnamedPaths) {
   for (const char* kind :
        {"rail", "subway", "tram", "platform", "ferry", "disused", "corridor", "elevator", "construction", "proposed"})
     EXPECT_FALSE(tile_street({{"class", kind}, {"name", "Metro 2"}})) << kind;
+  for (const char* rail : {"Berliner Stadtbahn", "Südbahn", "Métro 2", "Ligne de Paris-Est à Mulhouse-Ville", "RER A"})
+    EXPECT_FALSE(tile_street({{"class", "primary"}, {"name", rail}})) << rail;
+  for (const char* road : {"An der Ostbahn", "Bahnstraße", "Reeperbahn", "Stadtautobahn", "Rue Ligner"})
+    EXPECT_EQ(tile_street({{"class", "primary"}, {"name", road}}), Theme::street) << road;
   EXPECT_FALSE(tile_street({{"class", "path"}, {"subclass", "footway"}}));
   EXPECT_FALSE(tile_street({{"class", "path"}, {"subclass", "steps"}}));
   EXPECT_FALSE(tile_street({{"class", "service"}}));

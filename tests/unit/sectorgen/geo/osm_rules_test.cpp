@@ -96,6 +96,24 @@ TEST(Base, LeavesRoomToWalkUnderRoofsAndRaisedHousesOnly) {
   }
 }
 
+TEST(Base, LeavesRoomToWalkUnderBridgesAndHousesAboveGround) {
+  for (const Tags& tags :
+       {Tags{{"building", "bridge"}}, Tags{{"building", "viaduct"}}, Tags{{"building", "yes"}, {"bridge", "viaduct"}},
+        Tags{{"building", "yes"}, {"layer", "1"}}, Tags{{"building", "yes"}, {"man_made", "bridge"}}})
+    EXPECT_EQ(building_base_m(tags, Theme::building, 9), 4.5) << text_of(tags);
+  EXPECT_EQ(building_base_m({{"building", "bridge"}, {"min_height", "6"}}, Theme::building, 9), 6);
+  EXPECT_EQ(building_base_m({{"building", "bridge"}}, Theme::building, 3), 0);  // no room below
+  EXPECT_EQ(building_base_m({{"building", "yes"}, {"layer", "0"}}, Theme::building, 9), 0);
+}
+
+TEST(Level, IsTheLayerOrOneForABridge) {
+  EXPECT_EQ(axis_level({{"highway", "primary"}}), 0);
+  EXPECT_EQ(axis_level({{"highway", "primary"}, {"bridge", "yes"}}), 1);
+  EXPECT_EQ(axis_level({{"highway", "primary"}, {"bridge", "yes"}, {"layer", "2"}}), 2);
+  EXPECT_EQ(axis_level({{"highway", "primary"}, {"layer", "-1"}}), -1);
+  EXPECT_EQ(axis_level({{"highway", "primary"}, {"bridge", "no"}, {"layer", "high"}}), 0);
+}
+
 TEST(Width, IsTaggedElseFromLanesElseTypical) {
   EXPECT_EQ(axis_width_m({{"highway", "residential"}, {"width", "7"}}), 7);
   EXPECT_EQ(axis_width_m({{"highway", "residential"}, {"width", "7"}, {"sidewalk", "both"}}), 11);

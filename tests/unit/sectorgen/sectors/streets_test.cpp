@@ -3,56 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "city_db/rules.hpp"
-#include "sectorgen/build_city.hpp"
+#include "tests/unit/sectorgen/sectors/drawn_map.hpp"
 
 /// Small maps drawn by hand: which sectors and gates they give.
-namespace vicus {
+namespace vicus::test {
 namespace {
-
-PlanPoint at(double east, double north) { return {lattice_mm(east), lattice_mm(north)}; }
-
-Polygon box(double west, double south, double east, double north) {
-  return {{at(west, south), at(east, south), at(east, north), at(west, north)}, {}};
-}
-
-Footprint house(const std::string& id, Polygon area) {
-  Footprint f;
-  f.source_id = id;
-  f.area = std::move(area);
-  f.height_m = f.eave_m = 12;
-  return f;
-}
-
-Axis street(const std::string& name, std::vector<PlanPoint> line, double width = 10) {
-  Axis a;
-  a.source_id = name;
-  a.name = name;
-  a.kind = "residential";
-  a.width_m = width;
-  a.line = std::move(line);
-  return a;
-}
-
-/// One street of 200 m between two rows, west to east, houses 10 m deep, the street 12 m wide.
-SourceMap one_street() {
-  SourceMap map;
-  for (int i = 0; i < 20; ++i) {
-    map.footprints.push_back(house("south" + std::to_string(i), box(10 * i, -16, 10 * i + 10, -6)));
-    map.footprints.push_back(house("north" + std::to_string(i), box(10 * i, 6, 10 * i + 10, 16)));
-  }
-  map.axes.push_back(street("Long Street", {at(-60, 0), at(260, 0)}));
-  return map;
-}
-
-City built(SourceMap map) {
-  BuildReport report;
-  City city = build_city(std::move(map), {}, {}, report);
-  const RuleReport rules = check_rules(city);
-  EXPECT_TRUE(rules.all_hold());
-  for (const auto& v : rules.violations) ADD_FAILURE() << name_of(v.rule) << ": " << v.message;
-  return city;
-}
 
 std::size_t count(const City& city, GateKind kind) {
   return static_cast<std::size_t>(
@@ -159,6 +114,19 @@ TEST(Streets, WithoutAnyStreetTheWideGroundIsWalked) {
   EXPECT_FALSE(city.sectors.empty());
 }
 
+TEST(Streets, ASpikeThatRoundingClosedIsNobodysFacade) {
+  // The first house has a spike 1 mm wide down to y = 10; the second house's corner at y = 12 snaps its sides together,
+  // and they run along the second house's east wall.
+  SourceMap map = one_street();
+  std::erase_if(map.footprints, [](const Footprint& f) { return f.source_id == "north10"; });
+  map.footprints.insert(
+      map.footprints.begin(),
+      {house("spiked",
+             {{at(100, 16), at(100, 14), at(105, 14), at(105, 10), at(105.001, 14), at(110, 14), at(110, 16)}, {}}),
+       house("beside", box(102, 10, 105, 12))});
+  built(std::move(map));  // rule 2 was broken: the wall was the first house's
+}
+
 TEST(Streets, NothingAtAllIsRefused) {
   BuildReport report;
   try {
@@ -179,4 +147,4 @@ TEST(Streets, AHeavySectorIsHalved) {
 }
 
 }  // namespace
-}  // namespace vicus
+}  // namespace vicus::test
