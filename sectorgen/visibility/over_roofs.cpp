@@ -101,6 +101,7 @@ class Explorer {
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
     rim_ = rim_of(city.sectors[sector]);
     parts_.clear();
+    pairs_ = 0;
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
     look_closer();
     look_pair_by_pair();
@@ -242,7 +243,7 @@ class Explorer {
     if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return false;
     if (is_seen(eyes, target)) return set_state(target, State::known), false;
     const bool eyes_are_small = eyes.radius <= least_m_, target_is_small = target.radius <= least_m_;
-    const bool is_spent = ++effort_of(target).pairs > options_.most_pairs;
+    const bool is_spent = ++effort_of(target).pairs > options_.most_pairs || ++pairs_ > options_.most_sector_pairs;
     if (is_spent || (eyes_are_small && target_is_small)) {
       if (is_spent || is_last_round_) set_state(target, State::open);
       return true;
@@ -301,6 +302,7 @@ class Explorer {
   Horizon horizon_;
   std::vector<Part> parts_, close_parts_;
   double least_m_ = 0;
+  std::uint32_t pairs_ = 0;  // from this sector
   bool is_last_round_ = false;
   SegmentTree rim_;
   std::vector<State> state_;

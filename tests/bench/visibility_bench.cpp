@@ -40,10 +40,10 @@ int main(int argc, char** argv) {
   const char* text = std::getenv("EVERY");
   const std::uint32_t every = text != nullptr ? static_cast<std::uint32_t>(std::max(1, std::atoi(text))) : 1;
   const double measured = static_cast<double>((map.sector_count() + every - 1) / every);
-  for (const double least : {0.125}) {
+  for (const double least : {4.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
     vicus::RoofOptions options;
     options.least_radius_m = least;
-    options.every = every;if(getenv("RAYS"))options.most_rays=atoi(getenv("RAYS"));if(getenv("PAIRS"))options.most_pairs=atoi(getenv("PAIRS"));if(getenv("FIRST"))options.first_radius_m=atof(getenv("FIRST"));if(getenv("PAIR"))options.pair_radius_m=atof(getenv("PAIR"));
+    options.every = every;
     before = vicus::cpu_seconds();
     const vicus::RoofLists roofs = vicus::sights_over_roofs(city, lists.visible, options);
     const double roof_s = vicus::cpu_seconds() - before;
