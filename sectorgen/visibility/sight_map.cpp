@@ -8,8 +8,6 @@
 namespace vicus {
 namespace {
 
-constexpr std::int32_t kFrame_mm = 1000;  // beyond the outermost points, so that they are not on the hull
-
 /// A ring's edge: from lo to hi, or from hi to lo when turned; what the ring bounds is on its left.
 struct RingEdge {
   PlanPoint lo, hi;
@@ -23,12 +21,6 @@ class RingEdges {
     add(polygon.outer, sector);
     for (const auto& hole : polygon.holes) add(hole, sector);
   }
-  void add_frame(const PlanBox& box) {
-    const PlanPoint low{box.min.x - kFrame_mm, box.min.y - kFrame_mm},
-        high{box.max.x + kFrame_mm, box.max.y + kFrame_mm};
-    frame_ = {low, {high.x, low.y}, high, {low.x, high.y}};
-  }
-
   /// Sorts; after it the runs of equal edges are the mesh's constraints.
   void finish() {
     std::sort(edges_.begin(), edges_.end(), [](const RingEdge& a, const RingEdge& b) {
@@ -40,7 +32,7 @@ class RingEdges {
   }
 
   Mesh mesh() const {
-    std::vector<PlanPoint> points = frame_;
+    std::vector<PlanPoint> points;
     std::vector<Edge> constraints;
     for (std::size_t r = 0; r + 1 < run_.size(); ++r) {
       const auto at = static_cast<std::uint32_t>(points.size());
@@ -68,7 +60,6 @@ class RingEdges {
 
   std::vector<RingEdge> edges_;
   std::vector<std::uint32_t> run_;
-  std::vector<PlanPoint> frame_;
 };
 
 /// What lies over a triangle.
@@ -82,30 +73,36 @@ std::vector<Cover> covers_of(const Mesh& mesh, const RingEdges& edges) {
   std::vector<Cover> covers(mesh.triangles.size());
   std::vector<char> is_known(mesh.triangles.size(), 0);
   std::vector<std::uint32_t> queue;
+  // Across the side, coming from its right: out of what lies right of it, into what lies left.
+  const auto crossed = [&](Cover cover, std::uint32_t constraint, PlanPoint a) {
+    std::uint32_t entered = kNowhere;
+    edges.visit(constraint, a, [&](std::uint32_t sector, bool is_left) {
+      if (sector == kNowhere)
+        cover.stoppers += is_left ? 1 : -1;
+      else if (is_left)
+        entered = sector;
+      else
+        cover.sector = kNowhere;
+    });
+    if (entered != kNowhere) cover.sector = entered;
+    return cover;
+  };
   for (std::uint32_t t = 0; t < mesh.triangles.size() && queue.empty(); ++t)
-    for (const std::uint32_t n : mesh.triangles[t].neighbour)
-      if (n == kNone && queue.empty()) queue.push_back(t), is_known[t] = 1;  // the frame covers nothing
+    for (int k = 0; k < 3 && queue.empty(); ++k) {
+      if (mesh.triangles[t].neighbour[static_cast<std::size_t>(k)] != kNone) continue;
+      const std::uint32_t constraint = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
+      if (constraint != kNone) covers[t] = crossed({}, constraint, mesh.points[mesh.corner(t, k + 1)]);
+      is_known[t] = 1;
+      queue.push_back(t);
+    }
   while (!queue.empty()) {
     const std::uint32_t t = queue.back();
     queue.pop_back();
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
       if (n == kNone || is_known[n]) continue;
-      Cover cover = covers[t];
       const std::uint32_t constraint = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
-      if (constraint != kNone) {
-        std::uint32_t entered = kNowhere;
-        edges.visit(constraint, mesh.points[mesh.corner(t, k + 1)], [&](std::uint32_t sector, bool is_left) {
-          if (sector == kNowhere)
-            cover.stoppers += is_left ? -1 : 1;
-          else if (is_left)
-            cover.sector = kNowhere;
-          else
-            entered = sector;
-        });
-        if (entered != kNowhere) cover.sector = entered;
-      }
-      covers[n] = cover;
+      covers[n] = constraint == kNone ? covers[t] : crossed(covers[t], constraint, mesh.points[mesh.corner(t, k + 2)]);
       is_known[n] = 1;
       queue.push_back(n);
     }
@@ -120,20 +117,14 @@ bool stops_sight(const Obstacle& obstacle) { return obstacle.height_m > kStopsSi
 
 SightMap make_sight_map(const City& city) {
   RingEdges edges;
-  PlanBox box;
-  const auto add = [&](const Polygon& polygon, std::uint32_t sector) {
-    edges.add(polygon, sector);
-    for (const PlanPoint p : polygon.outer) box.add(p);
-  };
-  for (std::uint32_t s = 0; s < city.sectors.size(); ++s) add(city.sectors[s].ground, s);
+  for (std::uint32_t s = 0; s < city.sectors.size(); ++s) edges.add(city.sectors[s].ground, s);
   for (const auto& b : city.buildings)
-    if (stops_sight(b)) add(b.footprint, kNowhere);
+    if (stops_sight(b)) edges.add(b.footprint, kNowhere);
   for (const auto& o : city.obstacles)
-    if (stops_sight(o)) add(o.area, kNowhere);
+    if (stops_sight(o)) edges.add(o.area, kNowhere);
   SightMap map;
   map.begin.assign(city.sectors.size() + 1, 0);
-  if (box.is_empty()) return map;
-  edges.add_frame(box);
+  if (city.sectors.empty()) return map;
   edges.finish();
   const Mesh mesh = edges.mesh();
   const std::vector<Cover> covers = covers_of(mesh, edges);

@@ -34,7 +34,7 @@ struct SightMap {
 };
 
 /// Cells for the sectors' grounds, water, fences, low walls, shut ground, low houses, and the ground beyond the city as
-/// far as its bounding box (no line between two sectors leaves it).
+/// far as its convex hull: no line between two sectors leaves it.
 ///
 /// Frame   the plan lattice. Sectors by their index in the city.
 /// Needs   a city that keeps rules 1 and 2 of DESIGN §3: everything noded, sectors disjoint.

@@ -37,7 +37,10 @@ void list_visible(City& city, const VisibleOptions& options) {
   report_over_budget(city, level, options.step_budget);
   RoofLists roofs;
   roofs.visible.resize(city.sectors.size());
-  if (options.over_roofs) {
+  const bool over_roofs = options.over_roofs == OverRoofs::yes ||
+                          (options.over_roofs == OverRoofs::automatic && city.sectors.size() <= kSectorsOverRoofs);
+  city.meta["over_roofs"] = over_roofs ? "yes" : "no";
+  if (over_roofs) {
     RoofOptions roof_options;
     roof_options.threads = options.threads;
     roof_options.least_radius_m = options.least_radius_m;

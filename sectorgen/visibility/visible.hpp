@@ -6,15 +6,19 @@
 /// L_vis of a city (DESIGN §5): both lists, as records.
 namespace vicus {
 
+/// Cities of more sectors get no list over roofs unless asked for.
+inline constexpr std::size_t kSectorsOverRoofs = 1500;
+enum class OverRoofs { automatic, yes, no };
+
 struct VisibleOptions {
-  unsigned threads = 0;           ///< 0: all cores
-  bool over_roofs = true;         ///< false: on the level only
+  unsigned threads = 0;  ///< 0: all cores
+  OverRoofs over_roofs = OverRoofs::automatic;
   double least_radius_m = 0.125;  ///< how far eyes and walls are told apart over roofs (docs/visibility.md)
   std::uint64_t step_budget = 40'000'000;
 };
 
 /// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, those whose houses are
-/// seen over roofs. By sector, then visible sector.
+/// seen over roofs. By sector, then visible sector. Sets meta "over_roofs" to yes or no: whether that list was made.
 ///
 /// Error   a superset of the truth. Raises  404 sight_over_budget where a list is a looser superset.
 /// Needs   sectors with their ids, gates, borders, buildings.

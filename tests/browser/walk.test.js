@@ -145,13 +145,19 @@ function untilWellInside(left, gate, onward) {
     return way;
 }
 
+/** The file or a fuller one of the same sector: what was needed a moment ago is kept for a while. */
+function isShown(stem, live) {
+    const id = idOf(stem);
+    return live.includes(stem) || live.includes(id) || (stem === `${id}.tall` && live.includes(`${id}.far`));
+}
+
 /** L_1 is there; what else is there belonged to a sector left no longer ago than the hysteresis allows. */
 async function assertSurroundings(visitor, map, current) {
-    await visitor.settle();
-    const { live, failed } = await visitor.now();
-    const wanted = await map.filesAround(current), nearEnough = stem => live.includes(stem) || live.includes(idOf(stem));
-    for (const stem of wanted) assert.ok(nearEnough(stem), `${stem} of L_1(${current}) is not there: ${live}`);
+    const wanted = await map.filesAround(current);
+    const { live, failed } = await visitor.waitFor(({ live: there }) => wanted.every(stem => isShown(stem, there)));
+    for (const stem of wanted) assert.ok(isShown(stem, live), `${stem} of L_1(${current}) is not there: ${live}`);
     assert.deepEqual(failed, []);
+    await visitor.settle();
     const { sectors } = await visitor.diary();
     const now = await visitor.page.evaluate(() => performance.now());
     const allowed = new Set(wanted);

@@ -52,7 +52,7 @@ TEST(Visibility, IsSymmetricOnTheLevel) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     City city = random_town_city(seed);
     VisibleOptions options;
-    options.over_roofs = false;
+    options.over_roofs = OverRoofs::no;
     list_visible(city, options);
     std::vector<std::pair<std::string, std::string>> pairs;
     for (const auto& v : city.visible) pairs.push_back({v.sector_id, v.visible_sector_id});

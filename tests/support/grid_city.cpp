@@ -12,13 +12,13 @@ constexpr std::int32_t kNicheDepth_mm = 700;
 class Grid {
  public:
   explicit Grid(const GridOptions& o) : o_(o), random_(o.seed) {
+    const std::int32_t half = o.width_mm / 2;
     for (std::int32_t j = 0; j < o.side; ++j)
-      for (std::int32_t i = 0; i < o.side; ++i)
-        for (int corner = 0; corner < 4; ++corner) {
-          const std::int32_t half = o.width_mm / 2;
-          corners_.push_back({i * o.pitch_mm + (corner == 1 || corner == 2 ? half : -half) + jitter(),
-                              j * o.pitch_mm + (corner >= 2 ? half : -half) + jitter()});
-        }
+      for (std::int32_t i = 0; i < o.side; ++i) {
+        const std::int32_t x = i * o.pitch_mm + jitter(), y = j * o.pitch_mm + jitter();
+        for (int corner = 0; corner < 4; ++corner)
+          corners_.push_back({x + (corner == 1 || corner == 2 ? half : -half), y + (corner >= 2 ? half : -half)});
+      }
   }
 
   /// South-west, south-east, north-east, north-west.

@@ -7,11 +7,11 @@
 namespace vicus::test {
 
 struct GridOptions {
-  std::int32_t side = 40;          ///< crossroads a side: side^2 crossroads, 2 side (side - 1) streets
-  std::int32_t pitch_mm = 80'000;  ///< from crossroads to crossroads
-  std::int32_t width_mm = 12'000;  ///< of streets
-  std::int32_t jitter_mm = 9'600;  ///< corners are moved by up to half of this; 0: all fronts in line
-  std::int32_t niches = 0;         ///< niches per front: sectors become concave
+  std::int32_t side = 40;           ///< crossroads a side: side^2 crossroads, 2 side (side - 1) streets
+  std::int32_t pitch_mm = 80'000;   ///< from crossroads to crossroads
+  std::int32_t width_mm = 12'000;   ///< of streets
+  std::int32_t jitter_mm = 19'200;  ///< crossroads are moved by up to half of this; 0: all fronts in line
+  std::int32_t niches = 0;          ///< niches per front: sectors become concave
   double height_m = 15;
   std::uint64_t seed = 1;
 };

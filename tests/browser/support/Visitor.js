@@ -42,6 +42,17 @@ export class Visitor {
         }, null, { timeout: 1000 * seconds });
     }
 
+    /** What `now` says as soon as it fulfils the condition, or after some seconds anyway. */
+    async waitFor(condition, seconds = 60) {
+        const end = Date.now() + 1000 * seconds;
+        let state = await this.now();
+        while (!condition(state) && Date.now() < end) {
+            await this.page.waitForTimeout(200);
+            state = await this.now();
+        }
+        return state;
+    }
+
     /**
      * Walks (or runs, and walks up to each point) along plan points in millimetres. Who turns to the next point too far
      * from this one walks into the corner that it leads round.

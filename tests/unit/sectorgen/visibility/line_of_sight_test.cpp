@@ -211,7 +211,7 @@ TEST(LineOfSight, IsExactAtGatesThatTouchInAPoint) {
 }
 
 TEST(LineOfSight, IsTheSameAtTheMagnitudeOfUtmAndTurnedByANanoradian) {
-  for (const std::int32_t jitter : {0, 9'600}) {
+  for (const std::int32_t jitter : {0, 19'200}) {
     GridOptions options;
     options.side = 8;
     options.jitter_mm = jitter;
