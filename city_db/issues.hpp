@@ -35,9 +35,9 @@ enum class IssueCode {
   street_too_short = 302,
   unmapped_passage = 303,  ///< a street leads below a long house whose map shows no passage
   // 4xx sectors
-  over_budget = 401,  ///< a sector exceeds the byte budget and has no chord left to cut at
-  yard_closed = 402,  ///< ground reached only by a gap too narrow to walk
-  not_reached = 403,  ///< open ground that no street, path or square reaches
+  over_budget = 401,        ///< a sector exceeds the byte budget and has no chord left to cut at
+  yard_closed = 402,        ///< ground reached only by a gap too narrow to walk
+  not_reached = 403,        ///< open ground that no street, path or square reaches
   sight_over_budget = 404,  ///< a list of visible sectors is a looser superset: too many lines to follow
 };
 

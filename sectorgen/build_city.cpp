@@ -11,10 +11,10 @@
 
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
-#include "sectorgen/important/important.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
+#include "sectorgen/visibility/important.hpp"
 
 namespace vicus {
 

@@ -7,7 +7,7 @@
 
 #include "city_db/city.hpp"
 #include "sectorgen/geo/source_map.hpp"
-#include "sectorgen/important/author_list.hpp"
+#include "sectorgen/visibility/author_list.hpp"
 #include "sectorgen/visibility/visible.hpp"
 
 /// The stages that turn a map into a city, in order: start reading here.

@@ -1,4 +1,4 @@
-#include "sectorgen/important/propose.hpp"
+#include "sectorgen/visibility/propose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "sectorgen/geom/polygon.hpp"
-#include "sectorgen/important/betweenness.hpp"
+#include "sectorgen/visibility/betweenness.hpp"
 
 namespace vicus {
 namespace {

@@ -1,4 +1,4 @@
-#include "sectorgen/important/betweenness.hpp"
+#include "sectorgen/visibility/betweenness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sectorgen/important/important.hpp"
+#include "sectorgen/visibility/important.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "sectorgen/important/propose.hpp"
+#include "sectorgen/visibility/propose.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
 

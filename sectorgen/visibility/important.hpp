@@ -1,5 +1,5 @@
 #pragma once
-#include "sectorgen/important/author_list.hpp"
+#include "sectorgen/visibility/author_list.hpp"
 
 /// Important sectors (paper 004 §4.1.7): kept loaded in a whole vicinity, because visitors come back to them.
 ///

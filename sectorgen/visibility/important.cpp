@@ -1,4 +1,4 @@
-#include "sectorgen/important/important.hpp"
+#include "sectorgen/visibility/important.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
-#include "sectorgen/important/propose.hpp"
+#include "sectorgen/visibility/propose.hpp"
 
 namespace vicus {
 namespace {

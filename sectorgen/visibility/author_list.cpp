@@ -1,4 +1,4 @@
-#include "sectorgen/important/author_list.hpp"
+#include "sectorgen/visibility/author_list.hpp"
 
 #include <algorithm>
 #include <charconv>
