@@ -1,44 +1,16 @@
 #include "x3d_export/package.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <deque>
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <thread>
 
+#include "city_db/run_parallel.hpp"
 #include "x3d_export/coding.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
 namespace vicus {
 namespace {
-
-/// Runs work(0) ... work(count - 1) on some threads. The first exception is thrown after all have stopped.
-void run_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto loop = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) work(i);
-    } catch (...) {
-      const std::lock_guard lock(failure_mutex);
-      if (!failure) failure = std::current_exception();
-      next = count;
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < threads && t < count; ++t) others.emplace_back(loop);
-  loop();
-  for (auto& thread : others) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
-unsigned thread_count(const PackageOptions& options) {
-  return options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-}
 
 /// What pass one leaves for pass two: the near files, packed, and how many Shapes they have.
 struct NearFiles {
@@ -50,7 +22,8 @@ class CityArtefacts {
  public:
   CityArtefacts(City& city, const PackageOptions& options) : city_(city), index_(city), options_(options) {
     near_.resize(city.sectors.size());
-    run_parallel(city.sectors.size(), thread_count(options_), [this](std::size_t i) { pack_near(i); });
+    run_parallel(city.sectors.size(), thread_count(options_.threads),
+                 [this](std::size_t i, unsigned) { pack_near(i); });
     if (!city.sectors.empty() && !city.meta.contains("start")) city.meta["start"] = start_sector(source_of(index_));
   }
 
@@ -75,9 +48,10 @@ class CityArtefacts {
 
   void fill_ready() {
     constexpr std::size_t kPerThread = 8;  // enough that threads seldom wait for the slowest sector
-    const std::size_t count = std::min(city_.sectors.size() - done_, kPerThread * thread_count(options_));
+    const std::size_t count = std::min(city_.sectors.size() - done_, kPerThread * thread_count(options_.threads));
     std::vector<std::vector<Artefact>> lists(count);
-    run_parallel(count, thread_count(options_), [&](std::size_t i) { lists[i] = pack_rest(done_ + i); });
+    run_parallel(count, thread_count(options_.threads),
+                 [&](std::size_t i, unsigned) { lists[i] = pack_rest(done_ + i); });
     done_ += count;
     for (auto& list : lists) std::move(list.begin(), list.end(), std::back_inserter(ready_));
   }
