@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
-#include "tests/support/program.hpp"
+#include "tests/unit/cli/run_program.hpp"
 
 namespace vicus {
 namespace {

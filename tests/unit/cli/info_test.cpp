@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
-#include "tests/support/program.hpp"
+#include "tests/unit/cli/run_program.hpp"
 #include "tests/support/sample_city.hpp"
 
 namespace vicus {
