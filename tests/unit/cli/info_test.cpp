@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/store.hpp"
-#include "tests/unit/cli/run_program.hpp"
 #include "tests/support/sample_city.hpp"
+#include "tests/unit/cli/run_program.hpp"
 
 namespace vicus {
 namespace {
