@@ -51,7 +51,7 @@ TEST(LineOfSight, IsExactOnRandomTowns) {
   for (std::uint64_t seed = 1; towns < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const City city = random_town_city(seed);
-    if (make_sight_map(city).cells.size() > 600) continue;
+    if (make_sight_map(city).cells.size() > 400) continue;
     expect_exact(city, cells);
     ++towns;
   }
