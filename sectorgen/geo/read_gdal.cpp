@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "sectorgen/geo/add_feature.hpp"
+#include "sectorgen/geo/quiet_gdal.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 
 namespace vicus {
@@ -17,16 +18,6 @@ namespace fs = std::filesystem;
 
 // Points per call of PROJ: its set-up is spread over many, the memory stays small.
 constexpr std::size_t kBatchPoints = 1 << 17;
-
-/// GDAL's messages go to CityError or nowhere, never to stderr.
-struct QuietGdal {
-  QuietGdal() {
-    GDALAllRegister();
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-};
 
 std::string gdal_name(const fs::path& path) {
   if (path.extension() == ".gz") return "/vsigzip/" + path.string();

@@ -9,22 +9,14 @@
 #include <limits>
 #include <memory>
 
+#include "sectorgen/geo/quiet_gdal.hpp"
+
 namespace vicus {
 namespace {
 
 constexpr double kLowest_m = -500, kHighest_m = 9000;  // of the earth's land: what is outside is no height
 constexpr std::size_t kMostPixels = 40'000'000;        // of a window in memory: 160 MB
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
-
-/// GDAL's messages go to CityError or nowhere, never to stderr.
-struct QuietGdal {
-  QuietGdal() {
-    GDALAllRegister();
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-};
 
 /// Positions in pixels of the raster, counted from its corner.
 struct Pixels {

@@ -43,4 +43,30 @@ struct Mesh {
 /// Fails   CityError when an edge is not noded.   Cost  n log n.
 Mesh triangulate_edges(const std::vector<PlanPoint>& points, const std::vector<Edge>& edges);
 
+/// A value for each triangle, carried from outside the hull (`outside`) from neighbour to neighbour: enter(value, t, k)
+/// is what the value becomes on stepping into triangle t over its side k.
+/// Needs   the same value on every way to a triangle (covers counted at edges are).
+template <class Value, class Enter>
+std::vector<Value> flood_from_hull(const Mesh& mesh, const Value& outside, Enter enter) {
+  std::vector<Value> values(mesh.triangles.size());
+  std::vector<char> is_known(mesh.triangles.size(), 0);
+  std::vector<std::uint32_t> queue;
+  const auto step_into = [&](const Value& value, std::uint32_t t, int k) {
+    values[t] = enter(value, t, k);
+    is_known[t] = 1;
+    queue.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size() && queue.empty(); ++t)
+    for (int k = 0; k < 3 && queue.empty(); ++k)
+      if (mesh.triangles[t].neighbour[static_cast<std::size_t>(k)] == kNone) step_into(outside, t, k);
+  while (!queue.empty()) {
+    const std::uint32_t t = queue.back();
+    queue.pop_back();
+    for (int k = 0; k < 3; ++k)
+      if (const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)]; n != kNone && !is_known[n])
+        step_into(values[t], n, mesh.twin_side(t, k));
+  }
+  return values;
+}
+
 }  // namespace vicus

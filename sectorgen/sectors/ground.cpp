@@ -63,41 +63,16 @@ Mesh mesh_of(const std::vector<std::pair<PlanPoint, PlanPoint>>& pieces) {
   return triangulate_edges(points, edges);
 }
 
-/// How many features of each layer cover each triangle: flooded in from the hull.
+/// How many features of each layer cover each triangle.
 std::vector<Cover> flood(const Mesh& mesh, const std::vector<LayerEdge>& edges) {
-  std::vector<Cover> cover(mesh.triangles.size());
-  std::vector<char> done(mesh.triangles.size(), 0);
-  std::vector<std::uint32_t> queue;
-  // delta of the triangle's side against the other side of its edge k
-  const auto step = [&](std::uint32_t t, int k) {
-    Cover d{};
+  return flood_from_hull(mesh, Cover{}, [&](Cover cover, std::uint32_t t, int k) {
     const std::uint32_t e = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
-    if (e == kNone) return d;
+    if (e == kNone) return cover;
     const bool forward = mesh.corner(t, k + 1) < mesh.corner(t, k + 2);  // points are sorted, so a < b
     for (std::size_t l = 0; l < kLayers; ++l)
-      d[l] = static_cast<std::int16_t>(forward ? edges[e].delta[l] : -edges[e].delta[l]);
-    return d;
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (mesh.triangles[t].neighbour[static_cast<std::size_t>(k)] == kNone && !done[t]) {
-        cover[t] = step(t, k);
-        done[t] = 1;
-        queue.push_back(t);
-      }
-  while (!queue.empty()) {
-    const std::uint32_t t = queue.back();
-    queue.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
-      if (n == kNone || done[n]) continue;
-      const Cover d = step(t, k);
-      for (std::size_t l = 0; l < kLayers; ++l) cover[n][l] = static_cast<std::int16_t>(cover[t][l] - d[l]);
-      done[n] = 1;
-      queue.push_back(n);
-    }
-  }
-  return cover;
+      cover[l] = static_cast<std::int16_t>(cover[l] + (forward ? edges[e].delta[l] : -edges[e].delta[l]));
+    return cover;
+  });
 }
 
 bool is_free(const Cover& c) { return c[kDomain] > 0 && c[kHouse] <= 0 && c[kWall] <= 0 && c[kWater] <= 0; }

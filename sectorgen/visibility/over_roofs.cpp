@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "city_db/run_parallel.hpp"
 #include "sectorgen/visibility/horizon.hpp"
@@ -11,10 +10,11 @@
 namespace vicus {
 namespace {
 
-constexpr double kWitnessRadius_m = 4;  // eyes told apart this far are worth a ray
 constexpr double kFirstRound_m = 0.5;
 constexpr double kInset_m = 0.02;  // rays start and end this far off walls
+/// Directions of a horizon: more where a disc is so small that a bin's width would blur it.
 constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
+constexpr double kManyBinsBelow_m = 1.5;
 
 /// A node of a tree, or a part of a leaf's segment.
 struct Region {
@@ -166,7 +166,7 @@ class Explorer {
   }
 
   void start_horizon(const Region& eyes) {
-    horizon_.start(eyes.centre, eyes.radius, eyes.radius > 1.5 ? kFewBins : kManyBins);
+    horizon_.start(eyes.centre, eyes.radius, eyes.radius > kManyBinsBelow_m ? kFewBins : kManyBins);
     ++horizons;
   }
 
@@ -190,7 +190,7 @@ class Explorer {
     if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
     ++tests;
     if (horizon_.hides_segment(wall.a, wall.b, wall.top_m)) return false;
-    if (!eyes.is_segment() || eyes.radius > kWitnessRadius_m || !is_seen(eyes, wall)) return true;
+    if (!eyes.is_segment() || !is_seen(eyes, wall)) return true;
     set_state(wall, State::known);
     return false;
   }

@@ -22,7 +22,7 @@ struct RoofOptions {
 /// A house of the city, seen from a sector: what `sector` sends of it is needed there.
 struct RoofSight {
   std::uint32_t sector = 0, house = 0;
-  bool is_proven = false;  ///< a line of sight was found; else nothing was found that hides it
+  bool is_proven = false;  ///< a line to one of its walls was found; else nothing was found that hides them all
 };
 
 struct RoofLists {

@@ -68,15 +68,13 @@ struct Cover {
   std::int32_t stoppers = 0;
 };
 
-/// Counts covers from the hull inwards; every triangle's.
+/// Every triangle's, counted from outside.
 std::vector<Cover> covers_of(const Mesh& mesh, const RingEdges& edges) {
-  std::vector<Cover> covers(mesh.triangles.size());
-  std::vector<char> is_known(mesh.triangles.size(), 0);
-  std::vector<std::uint32_t> queue;
-  // Across the side, coming from its right: out of what lies right of it, into what lies left.
-  const auto crossed = [&](Cover cover, std::uint32_t constraint, PlanPoint a) {
+  return flood_from_hull(mesh, Cover{}, [&](Cover cover, std::uint32_t t, int k) {
+    const std::uint32_t constraint = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
+    if (constraint == kNone) return cover;
     std::uint32_t entered = kNowhere;
-    edges.visit(constraint, a, [&](std::uint32_t sector, bool is_left) {
+    edges.visit(constraint, mesh.points[mesh.corner(t, k + 1)], [&](std::uint32_t sector, bool is_left) {
       if (sector == kNowhere)
         cover.stoppers += is_left ? 1 : -1;
       else if (is_left)
@@ -86,28 +84,7 @@ std::vector<Cover> covers_of(const Mesh& mesh, const RingEdges& edges) {
     });
     if (entered != kNowhere) cover.sector = entered;
     return cover;
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size() && queue.empty(); ++t)
-    for (int k = 0; k < 3 && queue.empty(); ++k) {
-      if (mesh.triangles[t].neighbour[static_cast<std::size_t>(k)] != kNone) continue;
-      const std::uint32_t constraint = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
-      if (constraint != kNone) covers[t] = crossed({}, constraint, mesh.points[mesh.corner(t, k + 1)]);
-      is_known[t] = 1;
-      queue.push_back(t);
-    }
-  while (!queue.empty()) {
-    const std::uint32_t t = queue.back();
-    queue.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
-      if (n == kNone || is_known[n]) continue;
-      const std::uint32_t constraint = mesh.triangles[t].edge[static_cast<std::size_t>(k)];
-      covers[n] = constraint == kNone ? covers[t] : crossed(covers[t], constraint, mesh.points[mesh.corner(t, k + 2)]);
-      is_known[n] = 1;
-      queue.push_back(n);
-    }
-  }
-  return covers;
+  });
 }
 
 }  // namespace
