@@ -42,14 +42,15 @@ class HouseWalls {
   const std::vector<HouseBody>& houses() const { return houses_; }
   const std::vector<HouseWall>& walls() const { return walls_; }
 
-  /// Where the line p -> q runs through houses, by `from`. Error  rounding of doubles: ends within 1 um.
+  /// Where the line p -> q runs through houses, by `from`.
+  /// Needs   p in no house (on a wall is well).   Error  rounding of doubles: ends within 1 um.
   void cut(Spot p, Spot q, std::vector<Crossing>& out) const;
 
   /// The same for one house.
   void cut(Spot p, Spot q, std::uint32_t house, std::vector<Crossing>& out) const;
 
-  /// The line from p at height p_up_m to q, rising, meets no house. Cheap where something near p stops it.
-  /// Never true when a house is in the way: what hangs over ground counts from the ground up, and 2 cm are added on
+  /// The line from p (in no house) at height p_up_m to q, rising, meets no house. Cheap where something near p stops
+  /// it. Never true when a house is in the way: what hangs over ground counts from the ground up, and 2 cm are added on
   /// top.
   bool is_clear(Spot p, double p_up_m, Spot q, double q_up_m) const;
 
