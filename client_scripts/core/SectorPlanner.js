@@ -101,13 +101,18 @@ export class SectorPlanner {
         return this.current;
     }
 
-    /** Stems that should be there, the most urgent first. Off every known ground: what might hold the visitor, too. */
+    /**
+     * Stems that should be there, the most urgent first. Off every known ground: what might hold the visitor, too.
+     * Before the visitor's first position only his start: X_ITE binds a world's viewpoint, and so begins to show it,
+     * once nothing of it is on its way.
+     */
     wanted(point) {
         const current = this.sectors.get(this.current);
         if (!current) return [];
+        if (!point) return [stemOf(current.id, 'near')];
         const levels = new Map([...levelsAround(current)].filter(([id]) => this.sectors.has(id)));
         if (this.options.nearOnly) for (const id of levels.keys()) levels.set(id, 'near');
-        if (point && current.ground && !hasInside(current, point))
+        if (current.ground && !hasInside(current, point))
             for (const sector of this.sectors.values())
                 if (!sector.ground && boxContains(sector.box, point)) levels.set(sector.id, 'near');
         const ranked = [...levels].map(([id, level]) => [kUrgency[level], this.gap(current, id, point), stemOf(id, level)]);
@@ -117,7 +122,6 @@ export class SectorPlanner {
     /** How far the visitor is from a sector: from its nearest gate where he may pass into it, else from its box. */
     gap(current, id, point) {
         if (id === current.id) return -1;
-        if (!point) return 0;
         const gates = (current.gates ?? []).filter(gate => gate.to === id);
         if (gates.length === 0) return boxDistance(this.sectors.get(id).box, point);
         return Math.min(...gates.map(({ line }) => distanceToLine(line, point)));

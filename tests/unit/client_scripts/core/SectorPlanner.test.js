@@ -55,10 +55,11 @@ test('the first sector comes first, then its gate neighbours, one asked for per 
     assert.equal(visit.perFrame, 1);
 });
 
-test('before the visitor\'s place is known the start sector is current', () => {
+test('before the visitor\'s place is known the start sector is current, and nothing else is asked for', () => {
     const visit = new Visit({ start: 's2' }).stay(null, 1);
     assert.equal(visit.planner.current, 's2');
-    assert.deepEqual(visit.liveIds, ['s1', 's2', 's3', 'yard']);
+    assert.deepEqual(visit.liveIds, ['s2']);
+    assert.deepEqual(visit.stay([100, 5], 1).liveIds, ['s1', 's2', 's3', 'yard']);
 });
 
 test('along the street and back: L_1 is there at every moment, what was left goes after keepSeconds, nothing is asked twice', () => {

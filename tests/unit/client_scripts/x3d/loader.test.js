@@ -73,6 +73,9 @@ test('ground_counts that do not add up are refused', () => {
 test('the bundled Script loads its start, then the neighbours the record tells of, placed at their origins', () => {
     const fields = rootWorld('s2', streetRecords()), script = runScript(fields);
     assert.equal(fields.sector_changed, 's2');
+    frames(script, 5);
+    assert.deepEqual(shown(fields), ['sectors/s2.x3d'], 'the browser binds the viewpoint when nothing is on its way');
+    script.set_position({ x: 100, y: 1.7, z: -5 });
     frames(script, 10);
     assert.deepEqual(shown(fields), ['sectors/s1.x3d', 'sectors/s2.x3d', 'sectors/s3.x3d', 'sectors/yard.x3d']);
     const yard = fields.world.children.find(place => place.children[0]?.url[0] === 'sectors/yard.x3d');
@@ -81,6 +84,7 @@ test('the bundled Script loads its start, then the neighbours the record tells o
 
 test('the bundled Script shows far and tall files of what the record lists as visible', () => {
     const fields = rootWorld('s1', seeingFar(streetRecords(), { overRoofs: ['s5'] })), script = runScript(fields);
+    script.set_position({ x: 60, y: 1.7, z: -5 });
     frames(script, 12);
     assert.deepEqual(shown(fields).map(url => url.slice('sectors/'.length)),
         ['s0.x3d', 's1.x3d', 's2.x3d', 's3.far.x3d', 's4.far.x3d', 's5.tall.x3d', 'yard.far.x3d']);
@@ -99,6 +103,7 @@ test('the bundled Script follows the visitor and says so', () => {
 
 test('a sector left behind sets the alarm for the time it is given back, so that a still scene wakes', () => {
     const fields = rootWorld('s0', streetRecords()), script = runScript(fields);
+    script.set_position({ x: 20, y: 1.7, z: -5 });
     frames(script, 10);
     const alarm = fields.world.children.find(node => node.type === 'TimeSensor');
     const before = Date.now() / 1000;
@@ -113,6 +118,7 @@ test('a sector that fails, or carries no record, is reported by name and does no
     const script = runScript(fields);
     FakeInline.broken.add('sectors/s1.x3d');
     FakeInline.bare.add('sectors/s3.x3d');
+    script.set_position({ x: 100, y: 1.7, z: -5 });
     frames(script, 20);
     FakeInline.broken.clear();
     FakeInline.bare.clear();
