@@ -76,7 +76,8 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   plan.noded = node_map(plan.blocks, plan.domain, plan.kerbs);
 
   clock.begin("sectors");
-  const auto limit = static_cast<std::uint32_t>(options.budget_bytes / kBytesPerSide);
+  const auto limit =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(options.budget_bytes / kBytesPerSide, kMostSides));
   const CoverMesh cover(plan.noded, reach_points(map.axes, map.areas));
   GroundOptions ground;
   CutOptions cuts;

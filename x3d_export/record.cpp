@@ -77,12 +77,18 @@ Node gate_node(const Gate& gate) {
   return node;
 }
 
-Node neighbour_node(const SectorNeighbour& neighbour) {
-  Node node("MetadataSet");
-  node.set("name", "neighbour").add("value", texts("id", {neighbour.id}));
-  node.add("value", numbers("origin", values_of(neighbour.origin)))
-      .add("value", numbers("box", values_of(neighbour.box)));
-  return node;
+/// Three flat lists: a park sees hundreds of sectors, and a set for each would outweigh its houses.
+void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) {
+  std::vector<std::string> ids;
+  std::vector<double> origins, boxes;
+  for (const auto& n : neighbours) {
+    ids.push_back(n.id);
+    append_plan(origins, n.origin);
+    for (const double v : values_of(n.box)) boxes.push_back(v);
+  }
+  node.add("value", texts("neighbour_ids", ids))
+      .add("value", numbers("neighbour_origins", origins))
+      .add("value", numbers("neighbour_boxes", boxes));
 }
 
 }  // namespace
@@ -164,7 +170,7 @@ Node record_node(const SectorRecord& record) {
     for (const double v : values_of(b)) bodies.push_back(v);
   if (!bodies.empty()) node.add("value", numbers("bodies", std::move(bodies)));
   for (const auto& g : record.gates) node.add("value", gate_node(g));
-  for (const auto& n : record.neighbours) node.add("value", neighbour_node(n));
+  if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
   return node;

@@ -2,7 +2,7 @@
  * A sector's record out of its file's metadata (client_scripts/README.md), in the shape of /sectors/ID.json.
  *
  * Needs   a tree of { name, value }: a set's values are { name, value } again, a leaf's are texts or numbers.
- * Fails   Error: a ground whose counts do not add up.
+ * Fails   Error: a ground whose counts do not add up, neighbours that lack an origin or a box.
  */
 export function recordFromMetadata(set) {
     const record = leavesOf(set);
@@ -10,11 +10,12 @@ export function recordFromMetadata(set) {
     delete record.ground_counts;
     record.bodies = tuples(record.bodies ?? [], 3);
     record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2) }));
-    record.neighbours = setsOf(set, 'neighbour');
+    record.neighbours = neighboursOf(record);
     return record;
 }
 
-const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies'];
+const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies',
+    'neighbour_ids', 'neighbour_origins', 'neighbour_boxes'];
 
 function isSet(item) {
     return typeof item.value[0] === 'object';
@@ -36,6 +37,15 @@ function setsOf(set, name) {
 
 function tuples(flat, size) {
     return Array.from({ length: Math.floor(flat.length / size) }, (_, i) => flat.slice(size * i, size * (i + 1)));
+}
+
+function neighboursOf(record) {
+    const { neighbour_ids: ids = [], neighbour_origins: origins = [], neighbour_boxes: boxes = [] } = record;
+    for (const name of ['neighbour_ids', 'neighbour_origins', 'neighbour_boxes']) delete record[name];
+    if (origins.length !== 2 * ids.length || boxes.length !== 4 * ids.length)
+        throw new Error(`sector ${record.id}: ${ids.length} neighbours, but ${origins.length} and ${boxes.length} numbers of theirs`);
+    const places = tuples(origins, 2), areas = tuples(boxes, 4);
+    return ids.map((id, i) => ({ id, origin: places[i], box: areas[i] }));
 }
 
 function ringsOf(id, flat, counts) {

@@ -42,6 +42,9 @@ void split_long_cells(const Ground& ground, const CutOptions& options, Cells& ce
 /// A sector's bytes grow with the sides of its ground: about kBytesPerSide each (docs/figures.md), with the house
 /// behind.
 inline constexpr std::uint64_t kBytesPerSide = 45;
+/// Whatever the budget: the record of a sector with more sides takes more than the 100 kB, as text, that a browser
+/// parses without a halt (DESIGN §10), and unlike houses it cannot be told in parts.
+inline constexpr std::uint32_t kMostSides = 1800;
 
 /// Cells with more sides than the limit are halved until none has: rule 6 of DESIGN §3. Their small obstacles must be
 /// in the mesh first: the first function names those that are not.

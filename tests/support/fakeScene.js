@@ -61,10 +61,9 @@ export function metadataOf(record) {
   const gates = record.gates.map(
       gate => set(
           'gate', leaf('id', gate.id), ...(gate.to ? [leaf('to', gate.to)] : []), leaf('line', ...gate.line.flat())));
-  const neighbours = record.neighbours.map(
-      other =>
-          set('neighbour', leaf('id', other.id), leaf('origin', ...other.origin), leaf('box', ...other.box),
-              leaf('shapes', other.shapes)));
+  const all = key => record.neighbours.flatMap(other => other[key]);
+  const neighbours = record.neighbours.length === 0 ? [] : [
+    leaf('neighbour_ids', ...all('id')), leaf('neighbour_origins', ...all('origin')), leaf('neighbour_boxes', ...all('box'))];
   return set(
       'sector', leaf('id', record.id), leaf('kind', record.kind), leaf('name', record.name),
       leaf('origin', ...record.origin), leaf('box', ...record.box), leaf('shapes', record.shapes),

@@ -217,7 +217,17 @@ TEST(SectorFiles, CarryTheSameRecordAsTheJsonFile) {
       EXPECT_EQ(carried["gate"][i].contains("to"), !json["gates"][i]["to"].is_null());
       EXPECT_EQ(carried["gate"][i]["line"].size(), 2 * json["gates"][i]["line"].size());
     }
-    ASSERT_EQ(carried["neighbour"].size(), json["neighbours"].size());
+    const std::size_t neighbours = json["neighbours"].size();
+    ASSERT_EQ(carried["neighbour_ids"].size(), neighbours);
+    ASSERT_EQ(carried["neighbour_origins"].size(), 2 * neighbours);
+    ASSERT_EQ(carried["neighbour_boxes"].size(), 4 * neighbours);
+    for (std::size_t i = 0; i < neighbours; ++i) {
+      EXPECT_EQ(carried["neighbour_ids"][i], json["neighbours"][i]["id"]);
+      for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_EQ(carried["neighbour_origins"][2 * i + k], json["neighbours"][i]["origin"][k]);
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_EQ(carried["neighbour_boxes"][4 * i + k], json["neighbours"][i]["box"][k]);
+    }
     EXPECT_EQ(carried.value("bodies", nlohmann::json::array()).size(), 3 * json["bodies"].size());
     std::size_t points = 0;
     for (const auto& ring : json["ground"]) points += ring.size();

@@ -70,6 +70,12 @@ test('ground_counts that do not add up are refused', () => {
     assert.throws(() => recordFromMetadata(set), /sector s0: ground_counts 5 do not add up to its 4 points/);
 });
 
+test('neighbours that lack numbers are refused', () => {
+    const set = metadataOf(streetRecords()[0]);
+    set.value.find(item => item.name === 'neighbour_boxes').value.pop();
+    assert.throws(() => recordFromMetadata(set), /sector s0: 1 neighbours, but 2 and 3 numbers of theirs/);
+});
+
 test('the bundled Script loads its start, then the neighbours the record tells of, placed at their origins', () => {
     const fields = rootWorld('s2', streetRecords()), script = runScript(fields);
     assert.equal(fields.sector_changed, 's2');
