@@ -8,7 +8,7 @@ import { placeFromUrl, rootUrl, urlOfPlace } from './sharedPlace.js';
 /** The page: the LOADER Script of the root world owns the sectors; here the visitor is moved and told where he is. */
 const hud = new Hud();
 const place = placeFromUrl(location.href);
-const visit = { current: '', sectors: [], homePose: null, firstStreetAt: 0, lastFrame: 0 };
+const visit = { current: '', sectors: [], failed: new Set(), homePose: null, firstStreetAt: 0, lastFrame: 0 };
 
 async function start() {
     hud.showProgress(0.1);
@@ -54,11 +54,18 @@ function show(records) {
         hud.showPlace(here);
     }
     const wanted = visit.sectors.filter(sector => sector.phase !== 'absent');
-    const failed = wanted.filter(sector => sector.phase === 'failed');
     const settled = wanted.filter(sector => sector.phase !== 'loading').length;
     hud.showProgress(wanted.length ? 0.4 + 0.6 * settled / wanted.length : 0.4);
-    const places = failed.length === 1 ? 'One place nearby' : `${failed.length} places nearby`;
-    if (failed.length) hud.showTrouble(`${places} cannot be loaded: trying again.`);
+    showFailures();
+}
+
+/** A file that failed stays one while it is asked for again. */
+function showFailures() {
+    const isFailed = ({ stem, phase }) => phase === 'failed' || (phase === 'loading' && visit.failed.has(stem));
+    visit.failed = new Set(visit.sectors.filter(isFailed).map(sector => sector.stem));
+    const { size } = visit.failed;
+    const places = size === 1 ? 'One place nearby' : `${size} places nearby`;
+    if (size) hud.showTrouble(`${places} cannot be loaded: trying again.`);
     else hud.hideTrouble();
 }
 

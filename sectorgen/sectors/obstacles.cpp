@@ -15,6 +15,7 @@ constexpr double kPassageHalfWidthMin = 1.25, kPassageHalfWidthMax = 3.0;
 // longer than that, and something of it on both sides.
 constexpr double kThroughLeastM = 3, kThroughMostM = 60, kLongHouse = 2.5, kPierM2 = 6;
 constexpr double kStreetHalfWidthMax = 9;
+constexpr double kLeastOverM = 0.5;        // a deck is on the water; less is a way along the bank
 constexpr double kOpeningHalfWidth = 1.5;  // a gate in a wall or fence
 constexpr double kWallThicknessMin = 0.2;  // thinner ones would come out as slivers
 
@@ -49,10 +50,10 @@ struct Streets {
   }
 };
 
-double length_inside_m(const Line& line, const Polygon& house) {
+double length_inside_m(const Line& line, const Polygon& area) {
   double length = 0;
   PlanPoint middle;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += inside_length_m(line[i], line[i + 1], house, middle);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += inside_length_m(line[i], line[i + 1], area, middle);
   return length;
 }
 
@@ -157,25 +158,8 @@ void add_houses(const SourceMap& map, Blocks& blocks, std::vector<Issue>& issues
   }
 }
 
-/// Does any piece of the line run over the area?
-bool runs_over(const Line& line, const Polygon& area) {
-  const auto crosses = [&](PlanPoint a, PlanPoint b, const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (cross_properly(a, b, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
-    return false;
-  };
-  const PlanBox box = box_of(area);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PlanPoint a = line[i], b = line[i + 1];
-    if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x || std::max(a.y, b.y) < box.min.y ||
-        std::min(a.y, b.y) > box.max.y)
-      continue;
-    if (locate(area, a) == Side::inside || crosses(a, b, area.outer)) return true;
-    for (const auto& hole : area.holes)
-      if (crosses(a, b, hole)) return true;
-  }
-  return false;
-}
+/// Does the line run over the area, and not only along its rim? A bridge may begin and end just at the banks.
+bool runs_over(const Line& line, const Polygon& area) { return length_inside_m(line, area) > kLeastOverM; }
 
 void add_water(const SourceMap& map, Blocks& blocks) {
   std::vector<Stroke> decks;

@@ -33,7 +33,8 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
     await t.test('says that a place cannot be loaded, tries again, and then has it', async () => {
         const visitor = await Visitor.open(browser.context, 'about:blank');
         let refusals = 0;
-        const refuseTwice = route => (++refusals <= 2 ? route.abort() : route.continue());
+        const later = () => new Promise(resolve => setTimeout(resolve, 300));   // long enough to see what is said meanwhile
+        const refuseTwice = route => (++refusals <= 2 ? later().then(() => route.abort()) : route.continue());
         await visitor.page.route(`**/sectors/${neighbour}.x3d`, refuseTwice);
         await visitor.page.goto(`${server.origin}/?start=${start}`);
         await visitor.page.waitForSelector('#message.trouble:not([hidden])');

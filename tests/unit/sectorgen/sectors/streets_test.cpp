@@ -94,6 +94,27 @@ TEST(Streets, ABridgeCarriesTheStreetOverWater) {
                           [](const Border& b) { return b.kind == BorderKind::bank; }));
 }
 
+TEST(Streets, ABridgeMayBeginAndEndJustAtTheBanks) {
+  SourceMap map = one_street();
+  std::erase_if(map.footprints,
+                [](const Footprint& f) { return f.source_id == "south10" || f.source_id == "north10"; });
+  map.areas.push_back({"brook", "Brook", AreaKind::water, box(102, -60, 108, 60)});
+  map.axes.clear();
+  map.axes.push_back(street("Long Street", {at(-60, 0), at(102, 0)}));
+  map.axes.push_back(street("Long Street", {at(102, 0), at(108, 0)}));
+  map.axes.push_back(street("Long Street", {at(108, 0), at(260, 0)}));
+  EXPECT_EQ(check_rules(built(std::move(map))).components, 1u);
+}
+
+TEST(Streets, AWayAlongTheBankIsNoDeck) {
+  SourceMap map = one_street();
+  map.areas.push_back({"brook", "Brook", AreaKind::water, box(-60, -5, 260, -3)});
+  map.axes.push_back(street("Towpath", {at(-60, -3), at(260, -3)}));
+  const City city = built(std::move(map));
+  EXPECT_TRUE(std::any_of(city.borders.begin(), city.borders.end(),
+                          [](const Border& b) { return b.kind == BorderKind::bank; }));
+}
+
 TEST(Streets, AWallWithAnOpeningLeavesAGap) {
   SourceMap map = one_street();
   Barrier wall;
