@@ -38,7 +38,7 @@ enum class IssueCode {
   over_budget = 401,        ///< a sector exceeds the byte budget and has no chord left to cut at
   yard_closed = 402,        ///< ground reached only by a gap too narrow to walk
   not_reached = 403,        ///< open ground that no street, path or square reaches
-  sight_over_budget = 404,  ///< a list of visible sectors is a looser superset: too many lines to follow
+  sight_over_budget = 404,  ///< too many lines to follow: others tell the list, a superset among such sectors
 };
 
 /// A short permanent name: `ring_self_intersection`.

@@ -257,6 +257,21 @@ class Search {
   std::vector<std::uint32_t> line_queue_;
 };
 
+/// A sector over its budget is seen by those that it sees: their lists say so exactly. Two over budget keep each other
+/// where both floods reach.
+void mend_by_symmetry(SightLists& lists, const std::vector<char>& over) {
+  const auto has = [&](std::uint32_t s, std::uint32_t t) {
+    return std::binary_search(lists.visible[s].begin(), lists.visible[s].end(), t);
+  };
+  std::vector<std::vector<std::uint32_t>> mended;
+  for (const std::uint32_t s : lists.over_budget) {
+    mended.emplace_back();
+    for (std::uint32_t t = 0; t < lists.visible.size(); ++t)
+      if (has(t, s) && (!over[t] || has(s, t))) mended.back().push_back(t);
+  }
+  for (std::size_t i = 0; i < mended.size(); ++i) lists.visible[lists.over_budget[i]] = std::move(mended[i]);
+}
+
 }  // namespace
 
 SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
@@ -281,6 +296,7 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
     lists.steps += steps[i];
     if (over[i]) lists.over_budget.push_back(i);
   }
+  mend_by_symmetry(lists, over);
   return lists;
 }
 

@@ -9,19 +9,20 @@ namespace vicus {
 
 struct SightOptions {
   unsigned threads = 0;                    ///< 0: all cores
-  std::uint64_t step_budget = 40'000'000;  ///< cells entered for one sector before it falls back to a superset
+  std::uint64_t step_budget = 40'000'000;  ///< cells entered for one sector before others must tell its list
 };
 
 struct SightLists {
   std::vector<std::vector<std::uint32_t>> visible;  ///< per sector: sorted, itself in it
-  std::vector<std::uint32_t> over_budget;           ///< sectors whose list is the superset
+  std::vector<std::uint32_t> over_budget;           ///< sectors whose lists hold each other as a superset
   std::uint64_t steps = 0;                          ///< cells entered, all sectors
 };
 
 /// Exact: B is listed for A when a straight line leaves A through its rim and enters B without crossing what stops
 /// sight; touching is allowed (closed semantics), so a look along a wall or through a corner counts.
 ///
-/// Error   none on the lattice: integer predicates on the map's own points. Over budget: a superset, never less.
+/// Error   none on the lattice: integer predicates on the map's own points. A sector over budget has its list from the
+///         others', which is as exact; only pairs of two such sectors are a superset, never less. Lists are symmetric.
 /// Cost    cells entered; 30 to 70 ns each. Sectors are independent.
 /// Source  Teller & Sequin, SIGGRAPH 1991, §4 (cell-to-cell visibility); research/VISIBILITY.md §4.2.
 /// Differs convex chains with pivots in place of linear programs; starts at the sector's rim, not at each cell: a line

@@ -26,7 +26,8 @@ void report_over_budget(City& city, const SightLists& lists, std::uint64_t budge
   for (const std::uint32_t s : lists.over_budget)
     city.issues.push_back({IssueCode::sight_over_budget,
                            "sector " + city.sectors[s].id + ": its lines of sight were not followed after " +
-                               std::to_string(budget) + " steps; its list holds everything that could be in sight",
+                               std::to_string(budget) +
+                               " steps; whom it sees is known from the others, but for others of this kind",
                            city.sectors[s].id, city.sectors[s].origin});
 }
 

@@ -20,7 +20,7 @@ struct VisibleOptions {
 /// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, those whose houses are
 /// seen over roofs. By sector, then visible sector. Sets meta "over_roofs" to yes or no: whether that list was made.
 ///
-/// Error   a superset of the truth. Raises  404 sight_over_budget where a list is a looser superset.
+/// Error   a superset of the truth. Raises  404 sight_over_budget where two such sectors list each other unproved.
 /// Needs   sectors with their ids, gates, borders, buildings.
 void list_visible(City& city, const VisibleOptions& options);
 
