@@ -15,6 +15,7 @@ build_packages=(
   libsqlite3-dev                                    # the city file
   libboost-dev                                      # HTTP (Beast, Asio: headers only)
   libbrotli-dev libdeflate-dev libssl-dev           # codings and hashes of what is sent
+  libimagequant-dev                                 # palettes of textures
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "city_db/colour.hpp"
 #include "city_db/issues.hpp"
 #include "city_db/units.hpp"
 
@@ -87,7 +88,32 @@ struct Building {
   HeightSource height_source = HeightSource::guessed;
   Triangles roof_triangles;
   std::vector<SideWall> side_walls;
+  Colour wall_colour, roof_colour;
   Tags tags;  ///< building:colour, building:material, roof:colour, addr:*, ... for the models
+};
+
+enum class FacadeStyle { plaster, stone, brick, modern, church, shed };
+
+/// A straight stretch of a facade border with openings: how they are laid out (facade_layout.hpp says where each is).
+/// Stretches of borders without one are blind. Paper 004 §4.2.
+struct Facade {
+  std::string sector_id, building_id;
+  PlanPoint a, b;  ///< ground on the left of a -> b, as in the border
+  double bottom_m = 0, top_m = 0;
+  FacadeStyle style = FacadeStyle::plaster;
+  int floors = 1;
+  int bays = 1;       ///< of the pattern, >= 1
+  int repeats = 1;    ///< of the pattern along the facade, >= 1
+  int door_bay = -1;  ///< of the pattern, from the left seen from outside; -1: no door
+  bool has_shop = false;
+  std::string texture;  ///< id of the image of one pattern, for the third level of detail
+};
+
+/// An image under textures/ID.png; its id is a hash of its content.
+struct Texture {
+  std::string id;
+  int width = 0, height = 0;
+  std::string png;
 };
 
 enum class ObstacleKind { water, wall, fence, island, yard, courtyard };
@@ -154,6 +180,8 @@ struct City {
   std::vector<Gate> gates;
   std::vector<Border> borders;
   std::vector<Building> buildings;
+  std::vector<Facade> facades;    ///< by sector, building, border
+  std::vector<Texture> textures;  ///< as made; in the file they are artefacts. meta["atlas"]: windows and doors
   std::vector<Obstacle> obstacles;
   std::vector<Polygon> domain;
   std::vector<Street> streets;
@@ -172,6 +200,7 @@ const char* name_of(ObstacleKind);
 const char* name_of(HeightSource);
 const char* name_of(VisibleReason);
 const char* name_of(Importance);
+const char* name_of(FacadeStyle);
 bool parse_name(const std::string&, SectorKind&);
 bool parse_name(const std::string&, GateKind&);
 bool parse_name(const std::string&, BorderKind&);
@@ -179,5 +208,6 @@ bool parse_name(const std::string&, ObstacleKind&);
 bool parse_name(const std::string&, HeightSource&);
 bool parse_name(const std::string&, VisibleReason&);
 bool parse_name(const std::string&, Importance&);
+bool parse_name(const std::string&, FacadeStyle&);
 
 }  // namespace vicus

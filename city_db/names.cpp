@@ -34,6 +34,9 @@ constexpr Names<VisibleReason> kVisibleReasons = {{VisibleReason::self, "self"},
                                                   {VisibleReason::important, "important"}};
 constexpr Names<Importance> kImportances = {
     {Importance::none, "none"}, {Importance::proposed, "proposed"}, {Importance::author, "author"}};
+constexpr Names<FacadeStyle> kFacadeStyles = {{FacadeStyle::plaster, "plaster"}, {FacadeStyle::stone, "stone"},
+                                              {FacadeStyle::brick, "brick"},     {FacadeStyle::modern, "modern"},
+                                              {FacadeStyle::church, "church"},   {FacadeStyle::shed, "shed"}};
 constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
                                           {IssueCode::outside_limits, "outside_limits"},
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
@@ -83,6 +86,7 @@ const char* name_of(ObstacleKind k) { return find_name(kObstacleKinds, k); }
 const char* name_of(HeightSource s) { return find_name(kHeightSources, s); }
 const char* name_of(VisibleReason r) { return find_name(kVisibleReasons, r); }
 const char* name_of(Importance i) { return find_name(kImportances, i); }
+const char* name_of(FacadeStyle s) { return find_name(kFacadeStyles, s); }
 const char* name_of(IssueCode c) { return find_name(kIssueCodes, c); }
 bool parse_name(const std::string& s, SectorKind& k) { return find_value(kSectorKinds, s, k); }
 bool parse_name(const std::string& s, GateKind& k) { return find_value(kGateKinds, s, k); }
@@ -91,5 +95,6 @@ bool parse_name(const std::string& s, ObstacleKind& k) { return find_value(kObst
 bool parse_name(const std::string& s, HeightSource& k) { return find_value(kHeightSources, s, k); }
 bool parse_name(const std::string& s, VisibleReason& k) { return find_value(kVisibleReasons, s, k); }
 bool parse_name(const std::string& s, Importance& k) { return find_value(kImportances, s, k); }
+bool parse_name(const std::string& s, FacadeStyle& k) { return find_value(kFacadeStyles, s, k); }
 
 }  // namespace vicus

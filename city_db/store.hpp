@@ -48,6 +48,7 @@ class CityReader {
   std::vector<Gate> gates_of(const std::string& sector_id) const;
   std::vector<Border> borders_of(const std::string& sector_id) const;
   std::vector<Building> buildings_of(const std::string& sector_id) const;  ///< whose roofs it sends
+  std::vector<Facade> facades_of(const std::string& sector_id) const;
   std::vector<StandaloneObject> objects_of(const std::string& sector_id) const;
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;

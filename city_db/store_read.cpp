@@ -31,6 +31,7 @@ City read_city(const std::filesystem::path& path) {
   read_list(db, "gate", meta, city.gates);
   read_list(db, "border", meta, city.borders);
   read_list(db, "building", meta, city.buildings);
+  read_list(db, "facade", meta, city.facades);
   read_list(db, "obstacle", meta, city.obstacles);
   read_list(db, "domain", meta, city.domain);
   read_list(db, "street", meta, city.streets);

@@ -148,6 +148,9 @@ std::vector<Border> CityReader::borders_of(const std::string& sector_id) const {
 std::vector<Building> CityReader::buildings_of(const std::string& sector_id) const {
   return impl_->rows_of<Building>("building", sector_id);
 }
+std::vector<Facade> CityReader::facades_of(const std::string& sector_id) const {
+  return impl_->rows_of<Facade>("facade", sector_id);
+}
 std::vector<StandaloneObject> CityReader::objects_of(const std::string& sector_id) const {
   return impl_->rows_of<StandaloneObject>("object", sector_id);
 }

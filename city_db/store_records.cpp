@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "city_db/boxes.hpp"
+#include "city_db/facade_layout.hpp"
 #include "city_db/geometry_blob.hpp"
 #include "city_db/json_text.hpp"
 
@@ -114,6 +115,14 @@ std::int32_t lattice_at(const Statement& row, int i) {
   return lattice_mm(m);
 }
 
+int small_number_at(const Statement& row, int i, int least, int most) {
+  const auto number = row.integer(i);
+  if (number < least || number > most)
+    row.database().throw_damaged("a number of " + std::to_string(number) + " where " + std::to_string(least) + " to " +
+                                 std::to_string(most) + " can be");
+  return static_cast<int>(number);
+}
+
 IssueCode issue_code_at(const Statement& row, int i) {
   const auto number = row.integer(i);
   const auto code = static_cast<IssueCode>(number);
@@ -200,6 +209,8 @@ void bind_record(Statement& row, const Building& b) {
   row.bind(11, json_from_tags(b.tags));
   row.bind_blob(12, bytes_from_triangles(b.roof_triangles, b.footprint));
   row.bind_blob(13, bytes_from_side_walls(b.side_walls));
+  row.bind(14, hex_of(b.wall_colour));
+  row.bind(15, hex_of(b.roof_colour));
 }
 
 void read_record(const Statement& row, Building& b) {
@@ -216,6 +227,42 @@ void read_record(const Statement& row, Building& b) {
   b.tags = tags_at(row, 10);
   b.roof_triangles = triangles_from(row, 11, b.footprint);
   b.side_walls = side_walls_from(row, 12);
+  b.wall_colour = require(row, colour_from_hex(row.text(13)), "a colour is not #rrggbb");
+  b.roof_colour = require(row, colour_from_hex(row.text(14)), "a colour is not #rrggbb");
+}
+
+void bind_record(Statement& row, const Facade& f) {
+  row.bind_blob(1, encode_line({f.a, f.b}));
+  row.bind(2, f.sector_id);
+  row.bind(3, f.building_id);
+  row.bind(4, f.bottom_m);
+  row.bind(5, f.top_m);
+  row.bind(6, name_of(f.style));
+  row.bind(7, std::int64_t{f.floors});
+  row.bind(8, std::int64_t{f.bays});
+  row.bind(9, std::int64_t{f.repeats});
+  row.bind(10, std::int64_t{f.door_bay});
+  row.bind(11, std::int64_t{f.has_shop});
+  row.bind(12, f.texture);
+}
+
+void read_record(const Statement& row, Facade& f) {
+  const auto line = line_at(row, 0);
+  if (line.size() != 2 || line[0] == line[1]) row.database().throw_damaged("a facade that is no straight line");
+  f.a = line[0];
+  f.b = line[1];
+  f.sector_id = row.text(1);
+  f.building_id = row.text(2);
+  f.bottom_m = row.real(3);
+  f.top_m = row.real(4);
+  f.style = kind_at<FacadeStyle>(row, 5);
+  f.floors = small_number_at(row, 6, 1, kMostFloors);
+  f.bays = small_number_at(row, 7, 1, kMostBays);
+  f.repeats = small_number_at(row, 8, 1, kMostRepeats);
+  f.door_bay = small_number_at(row, 9, -1, f.bays - 1);
+  f.has_shop = row.integer(10) != 0;
+  f.texture = row.text(11);
+  if (!(f.bottom_m < f.top_m)) row.database().throw_damaged("a facade without height");
 }
 
 void bind_record(Statement& row, const Obstacle& o) {
@@ -379,6 +426,12 @@ PlanBox box_of_record(const Sector& s) { return box_of(s.ground.outer); }
 PlanBox box_of_record(const Gate& g) { return box_of(g.line); }
 PlanBox box_of_record(const Border& b) { return box_of(b.line); }
 PlanBox box_of_record(const Building& b) { return box_of(b.footprint.outer); }
+PlanBox box_of_record(const Facade& facade) {
+  PlanBox box;
+  box.add(facade.a);
+  box.add(facade.b);
+  return box;
+}
 PlanBox box_of_record(const Obstacle& o) { return box_of(o.area.outer); }
 PlanBox box_of_record(const Polygon& domain) { return box_of(domain.outer); }
 PlanBox box_of_record(const Street& s) { return box_of(s.line); }

@@ -154,7 +154,23 @@ const std::vector<Table>& tables() {
         {"height_source", "TEXT NOT NULL"},
         {"tags", "TEXT NOT NULL"},
         {"roof_triangles", "BLOB NOT NULL"},
-        {"side_walls", "BLOB NOT NULL"}}},
+        {"side_walls", "BLOB NOT NULL"},
+        {"wall_colour", "TEXT NOT NULL"},
+        {"roof_colour", "TEXT NOT NULL"}}},
+      {"facade",
+       "LINESTRING",
+       "stretches of facades with windows and doors, ground of sector_id on the left",
+       {{"sector_id", "TEXT NOT NULL"},
+        {"building_id", "TEXT NOT NULL"},
+        {"bottom_m", "DOUBLE NOT NULL"},
+        {"top_m", "DOUBLE NOT NULL"},
+        {"style", "TEXT NOT NULL"},
+        {"floors", "INTEGER NOT NULL"},
+        {"bays", "INTEGER NOT NULL"},
+        {"repeats", "INTEGER NOT NULL"},
+        {"door_bay", "INTEGER NOT NULL"},
+        {"has_shop", "BOOLEAN NOT NULL"},
+        {"texture", "TEXT NOT NULL"}}},
       {"obstacle",
        "POLYGON",
        "ground that is neither house nor walkable",
@@ -282,7 +298,8 @@ void finish_schema(Database& db, const std::vector<PlanBox>& extents) {
   db.execute(
       "CREATE INDEX gate_sector ON gate(sector_id); CREATE INDEX border_sector ON border(sector_id);"
       "CREATE INDEX building_sector ON building(sector_id); CREATE INDEX object_sector ON object(sector_id);"
-      "CREATE INDEX viewpoint_sector ON viewpoint(sector_id); CREATE INDEX visible_sector ON visible(sector_id)");
+      "CREATE INDEX viewpoint_sector ON viewpoint(sector_id); CREATE INDEX visible_sector ON visible(sector_id);"
+      "CREATE INDEX facade_sector ON facade(sector_id)");
   auto contents = db.prepare("INSERT INTO gpkg_contents VALUES (?1, ?2, ?1, ?3, ?4, ?5, ?6, ?7, ?8, ?9)");
   auto geometry = db.prepare("INSERT INTO gpkg_geometry_columns VALUES (?1, ?2, ?3, ?4, 0, 0)");
   auto extension = db.prepare(

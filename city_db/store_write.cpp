@@ -101,6 +101,7 @@ void write_city(const std::filesystem::path& path, const City& city,
   write_list(db, "gate", city.gates, written);
   write_list(db, "border", city.borders, written);
   write_list(db, "building", city.buildings, written);
+  write_list(db, "facade", city.facades, written);
   write_list(db, "obstacle", city.obstacles, written);
   write_list(db, "domain", city.domain, written);
   write_list(db, "street", city.streets, written);

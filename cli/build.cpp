@@ -33,8 +33,9 @@ struct Progress {
   explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
-    static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1},  {"sectors", 0.2},
-                                                        {"records", 0.25}, {"visibility", 0.3}, {"export", 0.8}};
+    static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1}, {"sectors", 0.2},
+                                                        {"records", 0.25}, {"models", 0.27},   {"visibility", 0.3},
+                                                        {"export", 0.8}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
@@ -67,6 +68,20 @@ void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat f
   }
 }
 
+/// The images that sectors refer to, as they are stored.
+void write_textures(const City& city, const fs::path& city_file, const fs::path& folder, Written& written) {
+  const CityReader reader(city_file);
+  std::set<std::string> ids;
+  for (const auto& facade : city.facades) ids.insert(facade.texture);
+  if (const auto atlas = city.meta.find("atlas"); atlas != city.meta.end()) ids.insert(atlas->second);
+  for (const auto& id : ids) {
+    const std::string path = "textures/" + id + ".png";
+    const auto image = reader.artefact(path, {"identity"});
+    if (!image) throw CityError(city_file.string() + " lacks " + path + ": build the city again");
+    write_file(folder / path, image->body, written);
+  }
+}
+
 void write_root(const CityIndex& index, const Arguments& arguments, const fs::path& folder, SceneFormat format,
                 bool is_static, Written& written) {
   RootOptions options;
@@ -85,6 +100,7 @@ void write_site(const CityIndex& index, const Arguments& arguments, const fs::pa
     write_root(index, arguments, folder, format, false, written);
     write_sectors(index, folder, format, true, written);
   }
+  write_textures(index.city(), arguments.city, folder, written);
   for (const auto& file : embedded_client_files()) {
     write_file(folder / "client" / file.path, file.bytes, written);
     if (file.path == "page/index.html") write_file(folder / "index.html", file.bytes, written);
@@ -119,6 +135,7 @@ Written write_folder(const CityIndex& index, const Arguments& arguments) {
                                                        : SceneFormat::x3dj;
       write_root(index, arguments, fresh, format, true, written);
       write_sectors(index, fresh, format, false, written);
+      write_textures(index.city(), arguments.city, fresh, written);
     }
     const bool is_replaced = fs::exists(out);
     if (is_replaced) fs::rename(out, old);

@@ -148,6 +148,7 @@ std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const Ci
                                             const std::string& path) {
   const auto rows = city.artefact_codings(path);
   if (rows.empty()) return std::nullopt;
+  const Caching caching = path.starts_with("textures/") ? Caching::immutable : Caching::revalidate;
   const auto media_type = safe_media_type(rows.front().media_type);
   auto choice = choose(request, media_type);
   if (choice.refusal) return *std::move(choice.refusal);
@@ -160,7 +161,7 @@ std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const Ci
     if (!is_stored && coding != "br") row = row_in("identity") != rows.end() ? row_in("identity") : row_in("br");
     if (row == rows.end()) continue;
     // Unpacking gives the same bytes each time, so the stored row's hash, with the coding's name, tags them, too.
-    auto response = answer_in_coding(request, media_type, coding, etag_of(row->hash, coding), Caching::revalidate);
+    auto response = answer_in_coding(request, media_type, coding, etag_of(row->hash, coding), caching);
     if (response.status != 200) return response;
     if (!is_stored)
       response.body = derived_body(city, *row, coding);

@@ -11,6 +11,7 @@
 
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
+#include "sectorgen/models/facades.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
@@ -108,6 +109,10 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   const PlanFrame frame(city.origin);
   mark_important(city, {options.important, [&](LatLon p) { return frame.plan_from_latlon(p); }, options.previous},
                  city.issues);
+
+  clock.begin("models");
+  lay_out_facades(city);
+  paint_textures(city, options.threads);
 
   clock.begin("visibility");
   if (options.with_visibility) {

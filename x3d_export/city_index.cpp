@@ -58,6 +58,7 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
   }
   for (const auto& g : city.gates) gates_of_[g.sector_id].push_back(&g);
   for (const auto& b : city.borders) borders_of_[b.sector_id].push_back(&b);
+  for (const auto& f : city.facades) facades_of_[f.sector_id].push_back(&f);
   for (const auto& o : city.objects) objects_of_[o.sector_id].push_back(&o);
   for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
   for (const auto& v : city.visible) {
@@ -85,6 +86,9 @@ const Building* CityIndex::building(const std::string& id) const {
 const std::vector<const Gate*>& CityIndex::gates_of(const std::string& id) const { return find_list(gates_of_, id); }
 const std::vector<const Border*>& CityIndex::borders_of(const std::string& id) const {
   return find_list(borders_of_, id);
+}
+const std::vector<const Facade*>& CityIndex::facades_of(const std::string& id) const {
+  return find_list(facades_of_, id);
 }
 const std::vector<const Building*>& CityIndex::buildings_of(const std::string& id) const {
   return find_list(buildings_of_, id);

@@ -39,6 +39,7 @@ class CityIndex {
   const Building* building(const std::string& id) const;
   const std::vector<const Gate*>& gates_of(const std::string& sector_id) const;
   const std::vector<const Border*>& borders_of(const std::string& sector_id) const;
+  const std::vector<const Facade*>& facades_of(const std::string& sector_id) const;
   const std::vector<const Building*>& buildings_of(const std::string& sector_id) const;
   const std::vector<const StandaloneObject*>& objects_of(const std::string& sector_id) const;
   const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
@@ -55,6 +56,7 @@ class CityIndex {
   std::map<std::string, const Building*> buildings_;
   BySector<Gate> gates_of_;
   BySector<Border> borders_of_;
+  BySector<Facade> facades_of_;
   BySector<Building> buildings_of_;
   BySector<StandaloneObject> objects_of_;
   BySector<Viewpoint> viewpoints_of_;

@@ -65,6 +65,20 @@ void FaceList::add_floor(const Polygon& polygon, const Triangles& triangles, dou
   }
 }
 
+void FaceList::add_block(PlanPoint middle, double width_m, double bottom_m, double top_m, Colour colour) {
+  const std::int32_t r = lattice_mm(width_m / 2);
+  const std::array<PlanPoint, 4> corners{{{middle.x - r, middle.y - r},
+                                          {middle.x + r, middle.y - r},
+                                          {middle.x + r, middle.y + r},
+                                          {middle.x - r, middle.y + r}}};
+  std::array<X3dPoint, 4> top{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    add_wall(corners[(i + 1) % 4], corners[i], bottom_m, top_m, colour);
+    top[i] = x3d_from_plan(corners[i], height_mm(top_m), origin_);
+  }
+  faces_.push_back({top, 4, colour});
+}
+
 void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m,
                            double high_m, Colour colour) {
   const auto corner = [&](int side, double radius_m, double up_m) {
@@ -82,6 +96,36 @@ void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double 
     else
       faces_.push_back({{a, b, c, d}, 4, colour});
   }
+}
+
+Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces) {
+  assert(!faces.empty());
+  Numbering<X3dPoint> number_of_point;
+  Numbering<std::array<double, 2>> number_of_uv;
+  std::vector<std::int32_t> coord_index, uv_index;
+  for (const TexturedFace& face : faces) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      coord_index.push_back(number_of_point(face.corners[k]));
+      uv_index.push_back(number_of_uv(face.uv[k]));
+    }
+    coord_index.push_back(-1);
+    uv_index.push_back(-1);
+  }
+  std::vector<double> points, uvs;
+  for (const auto& p : number_of_point.items()) points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
+  for (const auto& uv : number_of_uv.items()) uvs.insert(uvs.end(), {uv[0], uv[1]});
+
+  Node geometry("IndexedFaceSet"), coordinate("Coordinate"), texture_coordinate("TextureCoordinate");
+  geometry.set("coordIndex", std::move(coord_index)).set("texCoordIndex", std::move(uv_index));
+  geometry.add("coord", coordinate.set("point", std::move(points)));
+  geometry.add("texCoord", texture_coordinate.set("point", std::move(uvs)));
+  Node appearance("Appearance", "IMAGE-" + image), material("Material"), texture("ImageTexture");
+  material.set("ambientIntensity", 0.0).set("diffuseColor", std::vector<double>{1, 1, 1});
+  appearance.add("material", material);
+  appearance.add("texture", texture.set("url", std::vector<std::string>{url}));
+  Node shape("Shape");
+  shape.add("appearance", std::move(appearance));
+  return shape.add("geometry", std::move(geometry));
 }
 
 Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces) {

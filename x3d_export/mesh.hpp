@@ -18,6 +18,12 @@ struct Face {
   Colour colour;
 };
 
+/// A planar face of 4 corners, counter-clockwise seen from outside, under an image.
+struct TexturedFace {
+  std::array<X3dPoint, 4> corners;
+  std::array<std::array<double, 2>, 4> uv;  ///< 0 ... 1 from the image's left and bottom; beyond it repeats
+};
+
 enum class Surface {
   solid,      ///< lit, seen from outside only
   two_sided,  ///< lit, seen from both sides
@@ -42,6 +48,8 @@ class FaceList {
   /// A prism of `sides` sides around `at`; radius 0 makes that end a point, else it is left open.
   void add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m, double high_m,
                    Colour colour);
+  /// Four walls and a top, `width_m` square along the axes.
+  void add_block(PlanPoint middle, double width_m, double bottom_m, double top_m, Colour colour);
   std::vector<Face> take() { return std::move(faces_); }
 
  private:
@@ -52,5 +60,9 @@ class FaceList {
 /// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
 /// Needs   !faces.empty() (assert).
 Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces);
+
+/// A Shape under one image. Its Appearance's DEF is "IMAGE-" + `image`: equal ones in a file can be USEd.
+/// Needs   !faces.empty() (assert).
+Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces);
 
 }  // namespace vicus

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "x3d_export/text.hpp"
+#include "city_db/steady_hash.hpp"
 
 namespace vicus {
 namespace {

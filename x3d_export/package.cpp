@@ -24,6 +24,7 @@ class CityArtefacts {
     near_.resize(city.sectors.size());
     run_parallel(city.sectors.size(), thread_count(options_.threads),
                  [this](std::size_t i, unsigned) { pack_near(i); });
+    add_textures();
     if (!city.sectors.empty() && !city.meta.contains("start")) city.meta["start"] = start_sector(source_of(index_));
   }
 
@@ -36,6 +37,12 @@ class CityArtefacts {
   }
 
  private:
+  void add_textures() {
+    for (const Texture& texture : city_.textures)
+      ready_.push_back(
+          {"textures/" + texture.id + ".png", "image/png", "identity", strong_hash(texture.png), texture.png});
+  }
+
   void pack_near(std::size_t i) {
     std::uint64_t bytes = 0;
     for (const auto& file : sector_files(index_, city_.sectors[i], Detail::near, SceneFormat::x3d)) {

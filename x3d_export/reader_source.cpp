@@ -24,9 +24,11 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   if (!sector) return std::nullopt;
   City city;
   city.meta["licences"] = reader.meta("licences").value_or("");
+  if (const auto atlas = reader.meta("atlas")) city.meta["atlas"] = *atlas;
   city.gates = reader.gates_of(id);
   city.borders = reader.borders_of(id);
   city.buildings = reader.buildings_of(id);
+  city.facades = reader.facades_of(id);
   city.objects = reader.objects_of(id);
   city.viewpoints = reader.viewpoints_of(id);
   city.visible = reader.visible_from(id);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "x3d_export/house_body.hpp"
+#include "x3d_export/house_nodes.hpp"
 #include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
@@ -52,43 +55,34 @@ void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m,
   for (std::size_t i = 1; i < line.size(); ++i) faces.add_wall(line[i - 1], line[i], bottom_m, top_m, colour);
 }
 
-/// Are the house's walls and roof drawn at this detail?
-bool is_drawn(const CityIndex& index, const Sector& sector, Detail detail, const std::string& house_id) {
-  return detail != Detail::tall || index.tall_houses_of(sector.id).contains(house_id);
+/// Are a house's walls and roof drawn in these layers?
+using Drawn = std::function<bool(const std::string& house_id)>;
+
+Drawn drawn_at(Detail detail, const CityIndex& index, const Sector& sector) {
+  if (detail == Detail::far) return [](const std::string&) { return true; };
+  if (detail == Detail::tall)
+    return [&](const std::string& id) { return index.tall_houses_of(sector.id).contains(id); };
+  return [ids = houses_with_levels(index, sector)](const std::string& id) {
+    return !std::binary_search(ids.begin(), ids.end(), id);
+  };
 }
 
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
-void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail, const Drawn& is_drawn) {
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
-    if (!house || house->base_m > 0 || !is_drawn(index, sector, detail, house->id)) continue;
-    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), 0, prism_top_m(*house),
-              facade_colour(*house));
+    if (!house || house->base_m > 0 || !is_drawn(house->id)) continue;
+    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), 0, wall_top_m(*house),
+              house->wall_colour);
   }
-}
-
-/// All outer walls of a house one can walk under. Rings have the house on the left, walls are seen from the right.
-void add_ring_walls(FaceList& faces, const Building& house, const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    faces.add_wall(ring[(i + 1) % ring.size()], ring[i], house.base_m, prism_top_m(house), facade_colour(house));
 }
 
 /// Roofs, side walls and undersides of the houses that this sector sends.
-void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
-  for (const Building* house : index.buildings_of(sector.id)) {
-    if (!is_drawn(index, sector, detail, house->id)) continue;
-    faces.add_floor(house->footprint, house->roof_triangles, prism_top_m(*house), roof_colour(*house), false);
-    if (house->base_m > 0) {
-      faces.add_floor(house->footprint, house->roof_triangles, house->base_m, facade_colour(*house), true);
-      add_ring_walls(faces, *house, house->footprint.outer);
-      for (const auto& hole : house->footprint.holes) add_ring_walls(faces, *house, hole);
-      continue;
-    }
-    for (const auto& wall : house->side_walls)
-      faces.add_wall(wall.b, wall.a, wall.bottom_m, prism_top_m(*house), facade_colour(*house));
-  }
+void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, const Drawn& is_drawn) {
+  for (const Building* house : index.buildings_of(sector.id))
+    if (is_drawn(house->id)) add_body(faces, *house);
 }
 
 void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector) {
@@ -127,18 +121,15 @@ void add_backdrops(FaceList& faces, const CityIndex& index, const Sector& sector
 
 }  // namespace
 
-double prism_top_m(const Building& building) {
-  return building.eave_m > building.base_m ? building.eave_m : building.height_m;
-}
-
 std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, Detail detail) {
   FaceList ground(sector.origin), houses(sector.origin), barriers(sector.origin), objects(sector.origin),
       backdrops(sector.origin);
   FaceList& floor = detail == Detail::far ? houses : ground;
   if (detail != Detail::tall)
     floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
-  add_facades(houses, index, sector, detail);
-  add_houses(houses, index, sector, detail);
+  const Drawn is_drawn = drawn_at(detail, index, sector);
+  add_facades(houses, index, sector, detail, is_drawn);
+  add_houses(houses, index, sector, is_drawn);
   if (detail == Detail::near) {
     add_barriers(barriers, index, sector);
     add_objects(objects, index, sector);

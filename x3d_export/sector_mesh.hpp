@@ -9,11 +9,8 @@ namespace vicus {
 
 enum class Detail { near, far, tall };
 
-/// Top of a house's walls and of its flat roof: the eave, so that facades, side walls and roof close the prism.
-/// Differs from paper 004 §4.2: roofs above the eave come with the house models.
-double prism_top_m(const Building& building);
-
 /// One layer per material that the sector has, never an empty one, at most five.
+/// near: without the houses that come with levels of detail (house_nodes.hpp).
 /// Frame   the sector's own.
 /// far: one layer, houses and ground only, facade lines simplified by at most kFarTolerance.
 /// tall: of far, only what belongs to houses that some other sector sees over roofs; no layer where there are none.

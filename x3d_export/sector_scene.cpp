@@ -1,9 +1,12 @@
 #include "x3d_export/sector_scene.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 
+#include "x3d_export/house_nodes.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -11,14 +14,13 @@ namespace {
 
 /// rad, up and down: in a narrow street one sees the eaves and the ground at once.
 constexpr double kFieldOfView = 0.95;
-constexpr int kMostParts = 1000;  // a stop for the loop; 100 MB of one sector
+constexpr int kMostParts = 1000, kMostShapes = 100'000;  // as wide as such numbers are written
 
 struct SectorParts {
   const CityIndex& index;
   const Sector& sector;
   Detail detail;
   SceneFormat format;
-  std::vector<Layer> layers;
 
   std::string stem() const {
     return sector.id + (detail == Detail::far ? ".far" : detail == Detail::tall ? ".tall" : "");
@@ -28,17 +30,6 @@ struct SectorParts {
 
 std::string file_name(const SectorParts& parts, int part) {
   return parts.stem() + (part == 0 ? "" : "." + std::to_string(part)) + suffix_of(parts.format);
-}
-
-/// Shapes of slice `part` of `count` of each layer.
-std::vector<Node> shapes_of(const SectorParts& parts, int part, int count) {
-  std::vector<Node> shapes;
-  for (const auto& layer : parts.layers) {
-    const auto n = layer.faces.size(), k = static_cast<std::size_t>(count), i = static_cast<std::size_t>(part);
-    const std::span<const Face> faces(layer.faces.data() + n * i / k, layer.faces.data() + n * (i + 1) / k);
-    if (!faces.empty()) shapes.push_back(shape_of(layer.name, layer.surface, faces));
-  }
-  return shapes;
 }
 
 Scene empty_scene(const SectorParts& parts, int part) {
@@ -72,35 +63,78 @@ void add_content(Scene& scene, const SectorParts& parts, std::vector<Node> conte
   std::move(content.begin(), content.end(), std::back_inserter(scene.nodes));
 }
 
-/// The sector in `count` parts, all in the main file when count is 1.
-std::vector<ExportFile> write_parts(const SectorParts& parts, int count) {
-  std::vector<Scene> scenes{empty_scene(parts, 0)};
-  std::vector<int> shapes(static_cast<std::size_t>(count == 1 ? 1 : count + 1), 0);
-  std::vector<Node> content;
-  if (count == 1) {
-    content = shapes_of(parts, 0, 1);
-    shapes[0] = static_cast<int>(content.size());
-  } else {
-    for (int part = 1; part <= count; ++part) {
-      Node inline_node("Inline");
-      content.push_back(inline_node.set("url", std::vector<std::string>{file_name(parts, part)}));
-      scenes.push_back(empty_scene(parts, part));
-      scenes.back().nodes = shapes_of(parts, part - 1, count);
-      shapes[static_cast<std::size_t>(part)] = static_cast<int>(scenes.back().nodes.size());
+/// Text that the nodes take in a file.
+std::size_t size_of(const std::vector<Node>& nodes, SceneFormat format) {
+  Scene scene;
+  static const std::map<SceneFormat, std::size_t> kEmpty = {
+      {SceneFormat::x3d, write_scene(scene, SceneFormat::x3d).size()},
+      {SceneFormat::vrml, write_scene(scene, SceneFormat::vrml).size()},
+      {SceneFormat::x3dj, write_scene(scene, SceneFormat::x3dj).size()}};
+  scene.nodes = nodes;
+  return write_scene(scene, format).size() - kEmpty.at(format);
+}
+
+/// A layer as Shapes, in as many slices as it takes that none is larger than `limit`.
+std::vector<Node> shapes_of(const Layer& layer, SceneFormat format, std::size_t limit) {
+  for (std::size_t count = 1;; ++count) {
+    std::vector<Node> shapes;
+    bool fits = true;
+    const std::size_t n = layer.faces.size();
+    for (std::size_t i = 0; i < count && fits; ++i) {
+      const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
+      if (faces.empty()) continue;
+      shapes.push_back(shape_of(layer.name, layer.surface, faces));
+      fits = faces.size() == 1 || size_of({shapes.back()}, format) <= limit;
+      if (!fits) count = std::max(count, std::min(n, size_of({shapes.back()}, format) * count / limit));
     }
+    if (fits) return shapes;
   }
-  add_content(scenes.front(), parts, std::move(content), std::accumulate(shapes.begin(), shapes.end(), 0));
-  std::vector<ExportFile> files;
-  for (std::size_t i = 0; i < scenes.size(); ++i)
-    files.push_back(
-        {"sectors/" + scenes[i].title, media_type_of(parts.format), write_scene(scenes[i], parts.format), shapes[i]});
+}
+
+/// Equal images are sent and held once in a file: the first Appearance of each is DEFined, the others USE it.
+void share_appearances(std::vector<Node>& nodes, std::set<std::string>& known) {
+  for (Node& node : nodes) {
+    if (node.type == "Appearance" && !node.def.empty() && !known.insert(node.def).second) node = use_of(node);
+    for (NodeField& field : node.nodes) share_appearances(field.nodes, known);
+  }
+}
+
+int count_all_shapes(const std::vector<Node>& nodes) {
+  return std::accumulate(nodes.begin(), nodes.end(), 0, [](int n, const Node& node) { return n + count_shapes(node); });
+}
+
+/// Nodes in order, one list for each file: the first as large as `first`, the others as `limit`, but a list of one.
+std::vector<std::vector<Node>> packed(std::vector<Node> nodes, SceneFormat format, std::size_t first,
+                                      std::size_t limit) {
+  std::vector<std::vector<Node>> files(1);
+  std::size_t room = first;
+  for (Node& node : nodes) {
+    const std::size_t size = size_of({node}, format);
+    if (size > room) {
+      files.emplace_back();
+      room = limit;
+    }
+    room -= std::min(room, size);
+    files.back().push_back(std::move(node));
+  }
   return files;
 }
 
-std::size_t largest(const std::vector<ExportFile>& files, std::size_t first) {
-  std::size_t bytes = 0;
-  for (std::size_t i = first; i < files.size(); ++i) bytes = std::max(bytes, files[i].text.size());
-  return bytes;
+std::vector<Node> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit) {
+  std::vector<Node> nodes;
+  for (const Layer& layer : layers)
+    for (Node& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
+  if (parts.detail == Detail::near)
+    for (Node& house : house_nodes(parts.index, parts.sector)) nodes.push_back(std::move(house));
+  return nodes;
+}
+
+Scene main_scene(const SectorParts& parts, std::vector<Node> content, int shapes) {
+  Scene scene = empty_scene(parts, 0);
+  std::set<std::string> known;
+  share_appearances(content, known);
+  add_content(scene, parts, std::move(content), shapes);
+  return scene;
 }
 
 }  // namespace
@@ -124,16 +158,36 @@ Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& pla
 
 std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
                                      std::size_t limit) {
-  const SectorParts parts{index, sector, detail, format, sector_layers(index, sector, detail)};
-  if (detail == Detail::tall && parts.layers.empty()) return {};
-  std::vector<ExportFile> files = write_parts(parts, 1);
-  const std::size_t whole = files.front().text.size();
-  if (whole <= limit) return files;
-  for (int count = std::max(2, static_cast<int>(whole / limit)); count <= kMostParts; ++count) {
-    files = write_parts(parts, count);
-    if (largest(files, 1) <= limit) break;
+  const SectorParts parts{index, sector, detail, format};
+  const auto layers = sector_layers(index, sector, detail);
+  if (detail == Detail::tall && layers.empty()) return {};
+  const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes), format).size();
+  const std::size_t frame = write_scene(empty_scene(parts, kMostParts), format).size();
+  constexpr std::size_t kInline = 120;  // an Inline that draws a part in, with a long name
+  const std::size_t room = limit - std::min(limit / 2, frame);
+  std::vector<Node> nodes = content_of(parts, layers, room);
+  const int shapes = count_all_shapes(nodes);
+  const std::size_t inlines = kInline * (size_of(nodes, format) / room + 2);
+  std::vector<std::vector<Node>> files =
+      packed(std::move(nodes), format, limit - std::min(limit, head + inlines), room);
+
+  std::vector<Node> content = std::move(files.front());
+  std::vector<ExportFile> out(1);
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const int part = static_cast<int>(i);
+    Node inline_node("Inline");
+    content.push_back(inline_node.set("url", std::vector<std::string>{file_name(parts, part)}));
+    Scene scene = empty_scene(parts, part);
+    scene.nodes = std::move(files[i]);
+    const int own = count_all_shapes(scene.nodes);
+    std::set<std::string> known;
+    share_appearances(scene.nodes, known);
+    out.push_back({"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own});
   }
-  return files;
+  const int own = count_all_shapes(content);
+  const Scene scene = main_scene(parts, std::move(content), shapes);
+  out.front() = {"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own};
+  return out;
 }
 
 }  // namespace vicus

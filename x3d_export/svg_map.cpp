@@ -7,10 +7,10 @@
 #include <set>
 
 #include "city_db/boxes.hpp"
+#include "city_db/steady_hash.hpp"
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/svg_lvis.hpp"
 #include "x3d_export/svg_paper.hpp"
-#include "x3d_export/text.hpp"
 
 namespace vicus {
 namespace {

@@ -145,13 +145,4 @@ std::string caption_of(std::string_view name) {
   return caption;
 }
 
-std::uint64_t steady_hash(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  // FNV-1a leaves neighbouring ids close in the high bits; one round of mixing spreads them for "% n".
-  hash ^= hash >> 32;
-  hash *= 0x9E3779B97F4A7C15u;
-  return hash ^ (hash >> 29);
-}
-
 }  // namespace vicus

@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,8 +28,5 @@ std::string vrml_quoted(std::string_view text);
 /// A name as a caption (WorldInfo title, Viewpoint description): quotation marks at its ends become typographic ones,
 /// because readers of X3D take an SFString between straight ones for a mistake and strip them.
 std::string caption_of(std::string_view name);
-
-/// FNV-1a, 64 bits: steady over runs and machines, for palettes.
-std::uint64_t steady_hash(std::string_view text);
 
 }  // namespace vicus

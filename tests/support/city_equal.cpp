@@ -16,7 +16,11 @@ auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kin
 auto fields(const SideWall& w) { return std::tie(w.a, w.b, w.bottom_m); }
 auto fields(const Building& b) {
   return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.base_m, b.height_m, b.eave_m, b.roof_shape,
-                  b.height_source, b.roof_triangles, b.side_walls, b.tags);
+                  b.height_source, b.roof_triangles, b.side_walls, b.wall_colour, b.roof_colour, b.tags);
+}
+auto fields(const Facade& f) {
+  return std::tie(f.sector_id, f.building_id, f.a, f.b, f.bottom_m, f.top_m, f.style, f.floors, f.bays, f.repeats,
+                  f.door_bay, f.has_shop, f.texture);
 }
 auto fields(const Obstacle& o) { return std::tie(o.kind, o.source_id, o.height_m, o.area); }
 auto fields(const Street& s) {
@@ -40,6 +44,7 @@ bool operator==(const Gate& a, const Gate& b) { return fields(a) == fields(b); }
 bool operator==(const Border& a, const Border& b) { return fields(a) == fields(b); }
 bool operator==(const SideWall& a, const SideWall& b) { return fields(a) == fields(b); }
 bool operator==(const Building& a, const Building& b) { return fields(a) == fields(b); }
+bool operator==(const Facade& a, const Facade& b) { return fields(a) == fields(b); }
 bool operator==(const Obstacle& a, const Obstacle& b) { return fields(a) == fields(b); }
 bool operator==(const Street& a, const Street& b) { return fields(a) == fields(b); }
 bool operator==(const StandaloneObject& a, const StandaloneObject& b) { return fields(a) == fields(b); }
@@ -75,6 +80,7 @@ std::string difference(const City& a, const City& b) {
   compare("gates", a.gates, b.gates, found);
   compare("borders", a.borders, b.borders, found);
   compare("buildings", a.buildings, b.buildings, found);
+  compare("facades", a.facades, b.facades, found);
   compare("obstacles", a.obstacles, b.obstacles, found);
   compare("domain", a.domain, b.domain, found);
   compare("streets", a.streets, b.streets, found);

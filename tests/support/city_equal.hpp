@@ -13,6 +13,7 @@ bool operator==(const Gate& a, const Gate& b);
 bool operator==(const Border& a, const Border& b);
 bool operator==(const SideWall& a, const SideWall& b);
 bool operator==(const Building& a, const Building& b);
+bool operator==(const Facade& a, const Facade& b);
 bool operator==(const Obstacle& a, const Obstacle& b);
 bool operator==(const Street& a, const Street& b);
 bool operator==(const StandaloneObject& a, const StandaloneObject& b);

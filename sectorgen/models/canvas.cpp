@@ -1,0 +1,81 @@
+#include "sectorgen/models/canvas.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+namespace vicus {
+
+Paint paint_of(Colour c) { return {c.r / 255.0, c.g / 255.0, c.b / 255.0}; }
+
+Paint mix(Paint a, Paint b, double t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
+
+Canvas::Canvas(int width, int height, double width_m, double height_m)
+    : width_(width), height_(height), width_m_(width_m), height_m_(height_m) {
+  assert(width > 0 && height > 0 && width_m > 0 && height_m > 0);
+  pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+Paint& Canvas::pixel(int column, int row) {
+  return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
+}
+
+Paint Canvas::at(int column, int row) const {
+  return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
+}
+
+void Canvas::rectangle(double x0, double y0, double x1, double y1, Paint paint, double opacity) {
+  const double sx = width_ / width_m_, sy = height_ / height_m_;
+  const double left = std::max(0.0, x0 * sx), right = std::min<double>(width_, x1 * sx);
+  const double top = std::max(0.0, height_ - y1 * sy), bottom = std::min<double>(height_, height_ - y0 * sy);
+  for (int row = static_cast<int>(top); row < bottom; ++row) {
+    const double rows = std::min(bottom, row + 1.0) - std::max(top, static_cast<double>(row));
+    for (int column = static_cast<int>(left); column < right; ++column) {
+      const double columns = std::min(right, column + 1.0) - std::max(left, static_cast<double>(column));
+      if (rows <= 0 || columns <= 0) continue;
+      Paint& p = pixel(column, row);
+      p = mix(p, paint, opacity * rows * columns);
+    }
+  }
+}
+
+void Canvas::gradient(double x0, double y0, double x1, double y1, Paint bottom, Paint top, int steps) {
+  for (int i = 0; i < steps; ++i)
+    rectangle(x0, y0 + (y1 - y0) * i / steps, x1, y0 + (y1 - y0) * (i + 1) / steps,
+              mix(bottom, top, (i + 0.5) / steps));
+}
+
+void Canvas::paste(const Canvas& tile, int column, int row) {
+  for (int y = 0; y < tile.height(); ++y)
+    for (int x = 0; x < tile.width(); ++x) pixel(column + x, row + y) = tile.at(x, y);
+}
+
+std::vector<unsigned char> Canvas::rgba() const {
+  std::vector<unsigned char> bytes;
+  bytes.reserve(4 * pixels_.size());
+  const auto byte = [](double v) { return static_cast<unsigned char>(std::clamp(v * 255 + 0.5, 0.0, 255.0)); };
+  for (const Paint& p : pixels_) bytes.insert(bytes.end(), {byte(p.r), byte(p.g), byte(p.b), 255});
+  return bytes;
+}
+
+double steady_random(int x, int y, unsigned seed) {
+  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x85ebca6bu ^ static_cast<std::uint32_t>(y) * 0xc2b2ae35u ^
+                    (seed + 1) * 0x27d4eb2fu;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  h = (h ^ (h >> 12)) * 0x297a2d39u;
+  h ^= h >> 15;
+  return (h & 0xffffffu) / 16777216.0;
+}
+
+double value_noise(double x, double y, unsigned seed) {
+  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  const double tx = smooth(x - column), ty = smooth(y - row);
+  const auto along = [&](int r) {
+    return steady_random(column, r, seed) * (1 - tx) + steady_random(column + 1, r, seed) * tx;
+  };
+  return along(row) * (1 - ty) + along(row + 1) * ty;
+}
+
+}  // namespace vicus

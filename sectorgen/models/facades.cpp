@@ -1,0 +1,140 @@
+#include "sectorgen/models/facades.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "city_db/facade_layout.hpp"
+#include "sectorgen/models/facade_choice.hpp"
+#include "sectorgen/models/tag_colours.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kDoorReach_m = 1.0, kShopReach_m = 12.0;
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+bool is_shop(const StandaloneObject& object) {
+  static const std::set<std::string> kKinds{"shop", "cafe", "restaurant", "bar", "pub", "bank", "pharmacy"};
+  return kKinds.contains(object.kind);
+}
+
+struct Foot {
+  double distance_m = 0, along_m = 0;  // from the facade's left end
+};
+
+Foot foot_on(const Facade& f, PlanPoint p) {
+  const double ux = metres(f.a.x - f.b.x), uy = metres(f.a.y - f.b.y), px = metres(p.x - f.b.x),
+               py = metres(p.y - f.b.y), length = std::hypot(ux, uy);
+  const double t = std::clamp((px * ux + py * uy) / (length * length), 0.0, 1.0);
+  return {std::hypot(px - t * ux, py - t * uy), t * length};
+}
+
+double top_of(const Building& house) { return house.eave_m > house.base_m ? house.eave_m : house.height_m; }
+
+class FacadeLayout {
+ public:
+  explicit FacadeLayout(City& city) : city_(city) {
+    for (std::size_t i = 0; i < city.buildings.size(); ++i) building_.emplace(city.buildings[i].id, i);
+  }
+
+  void run() {
+    for (const Border& border : city_.borders) {
+      if (border.kind != BorderKind::facade || border.line.size() < 2) continue;
+      const auto at = building_.find(border.building_id);
+      if (at == building_.end() || city_.buildings[at->second].base_m > 0) continue;
+      add_border(border, city_.buildings[at->second]);
+    }
+    for (std::size_t i = 0; i < city_.facades.size(); ++i) {
+      in_sector_[city_.facades[i].sector_id].push_back(i);
+      of_house_[city_.facades[i].building_id].push_back(i);
+    }
+    place_shops_and_doors();
+    add_missing_doors();
+  }
+
+ private:
+  void add_border(const Border& border, const Building& house) {
+    const auto runs = straight_runs(border.line);
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      Facade f;
+      f.sector_id = border.sector_id;
+      f.building_id = house.id;
+      f.a = border.line[runs[i]];
+      f.b = border.line[runs[i + 1]];
+      if (f.a == f.b) continue;
+      f.top_m = top_of(house);
+      f.style = style_of(house);
+      if (!lay_out_bays(f)) continue;
+      f.floors = floors_of(house, f.style, f.top_m);
+      city_.facades.push_back(std::move(f));
+    }
+  }
+
+  std::size_t nearest(const std::string& sector_id, PlanPoint p, double reach_m) const {
+    std::size_t best = kNone;
+    const auto at = in_sector_.find(sector_id);
+    if (at == in_sector_.end()) return kNone;
+    for (const std::size_t i : at->second)
+      if (const double d = foot_on(city_.facades[i], p).distance_m; d < reach_m) {
+        reach_m = d;
+        best = i;
+      }
+    return best;
+  }
+
+  void place_shops_and_doors() {
+    for (const StandaloneObject& object : city_.objects) {
+      if (object.kind == "door") {
+        if (const std::size_t i = nearest(object.sector_id, object.at, kDoorReach_m); i != kNone) {
+          Facade& f = city_.facades[i];
+          const int bay = static_cast<int>(foot_on(f, object.at).along_m / length_m(f) * f.bays * f.repeats);
+          f.door_bay = std::clamp(bay, 0, f.bays * f.repeats - 1) % f.bays;
+        }
+      } else if (is_shop(object)) {
+        if (const std::size_t i = nearest(object.sector_id, object.at, kShopReach_m); i != kNone) {
+          Facade& f = city_.facades[i];
+          f.has_shop = f.style != FacadeStyle::church && f.style != FacadeStyle::shed;
+        }
+      }
+    }
+  }
+
+  /// A house that shows no door has one in its longest facade, on a street before a yard.
+  void add_missing_doors() {
+    std::map<std::string, bool> is_yard;
+    for (const auto& s : city_.sectors) is_yard[s.id] = s.kind == SectorKind::yard;
+    for (const auto& [house, list] : of_house_) {
+      if (std::any_of(list.begin(), list.end(), [&](std::size_t i) { return city_.facades[i].door_bay >= 0; }))
+        continue;
+      const auto rank = [&](std::size_t i) {
+        const Facade& f = city_.facades[i];
+        return std::pair(!is_yard[f.sector_id], length_m(f));
+      };
+      Facade& f = city_.facades[*std::max_element(list.begin(), list.end(),
+                                                  [&](std::size_t i, std::size_t k) { return rank(i) < rank(k); })];
+      f.door_bay = f.bays / 2;
+    }
+  }
+
+  City& city_;
+  std::unordered_map<std::string, std::size_t> building_;
+  std::unordered_map<std::string, std::vector<std::size_t>> in_sector_;
+  std::map<std::string, std::vector<std::size_t>> of_house_;
+};
+
+}  // namespace
+
+void lay_out_facades(City& city) {
+  city.facades.clear();
+  for (auto& house : city.buildings) {
+    house.wall_colour = facade_colour(house);
+    house.roof_colour = roof_colour(house);
+  }
+  FacadeLayout(city).run();
+}
+
+}  // namespace vicus

@@ -1,0 +1,115 @@
+#include "sectorgen/models/palette_png.hpp"
+
+#include <libdeflate.h>
+#include <libimagequant.h>
+
+#include <cassert>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "city_db/issues.hpp"
+
+namespace vicus {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+struct Indexed {
+  int width = 0, height = 0;
+  Bytes palette;  // r, g, b
+  Bytes pixels;   // one byte each
+  int colours() const { return static_cast<int>(palette.size() / 3); }
+};
+
+template <class T, void (*Destroy)(T*)>
+struct Destroyer {
+  void operator()(T* handle) const { Destroy(handle); }
+};
+template <class T, void (*Destroy)(T*)>
+using Handle = std::unique_ptr<T, Destroyer<T, Destroy>>;
+
+Indexed quantised(const Canvas& picture, int colours) {
+  const auto check = [](bool is_fine) {
+    if (!is_fine) throw CityError("an image could not be given a palette: out of memory");
+  };
+  const Bytes rgba = picture.rgba();
+  const Handle<liq_attr, liq_attr_destroy> attributes(liq_attr_create());
+  check(attributes != nullptr);
+  liq_set_max_colors(attributes.get(), colours);
+  liq_set_speed(attributes.get(), 4);
+  const Handle<liq_image, liq_image_destroy> image(
+      liq_image_create_rgba(attributes.get(), rgba.data(), picture.width(), picture.height(), 0));
+  check(image != nullptr);
+  liq_result* raw = nullptr;
+  check(liq_image_quantize(image.get(), attributes.get(), &raw) == LIQ_OK);
+  const Handle<liq_result, liq_result_destroy> result(raw);
+  liq_set_dithering_level(result.get(), 0);  // noise costs bytes and shows less than steps at this size
+  Indexed out{picture.width(), picture.height(), {}, Bytes(rgba.size() / 4)};
+  check(liq_write_remapped_image(result.get(), image.get(), out.pixels.data(), out.pixels.size()) == LIQ_OK);
+  const liq_palette* palette = liq_get_palette(result.get());
+  for (unsigned i = 0; i < palette->count; ++i)
+    out.palette.insert(out.palette.end(), {palette->entries[i].r, palette->entries[i].g, palette->entries[i].b});
+  return out;
+}
+
+void append_number(Bytes& out, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<unsigned char>(value >> shift));
+}
+
+void append_chunk(Bytes& out, std::string_view type, const Bytes& data) {
+  append_number(out, static_cast<std::uint32_t>(data.size()));
+  const std::size_t begin = out.size();
+  out.insert(out.end(), type.begin(), type.end());
+  out.insert(out.end(), data.begin(), data.end());
+  append_number(out, libdeflate_crc32(0, out.data() + begin, out.size() - begin));
+}
+
+/// Rows of packed pixels, each after its filter byte: none, the best for palettes.
+Bytes packed_rows(const Indexed& image, int bits) {
+  Bytes rows;
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    rows.push_back(0);
+    int filled = 0;
+    unsigned byte = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      byte = (byte << bits) | image.pixels[y * width + x];
+      filled += bits;
+      if (filled < 8) continue;
+      rows.push_back(static_cast<unsigned char>(byte));
+      byte = 0;
+      filled = 0;
+    }
+    if (filled > 0) rows.push_back(static_cast<unsigned char>(byte << (8 - filled)));
+  }
+  return rows;
+}
+
+Bytes deflated(const Bytes& data) {
+  const Handle<libdeflate_compressor, libdeflate_free_compressor> compressor(libdeflate_alloc_compressor(12));
+  if (!compressor) throw CityError("an image could not be packed: out of memory");
+  Bytes out(libdeflate_zlib_compress_bound(compressor.get(), data.size()));
+  out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(), out.size()));
+  return out;
+}
+
+}  // namespace
+
+std::string palette_png(const Canvas& picture, int colours) {
+  assert(colours >= 2 && colours <= 256);
+  const Indexed image = quantised(picture, colours);
+  const int count = image.colours(), bits = count <= 2 ? 1 : count <= 4 ? 2 : count <= 16 ? 4 : 8;
+  Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
+  append_number(header, static_cast<std::uint32_t>(image.width));
+  append_number(header, static_cast<std::uint32_t>(image.height));
+  header.insert(header.end(), {static_cast<unsigned char>(bits), 3, 0, 0, 0});  // palette, deflate, not interlaced
+  append_chunk(out, "IHDR", header);
+  append_chunk(out, "PLTE", image.palette);
+  append_chunk(out, "IDAT", deflated(packed_rows(image, bits)));
+  append_chunk(out, "IEND", {});
+  return std::string(out.begin(), out.end());
+}
+
+}  // namespace vicus

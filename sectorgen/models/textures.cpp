@@ -1,0 +1,61 @@
+#include <cstdio>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+#include "city_db/run_parallel.hpp"
+#include "city_db/steady_hash.hpp"
+#include "sectorgen/models/facades.hpp"
+#include "sectorgen/models/paint_facade.hpp"
+#include "sectorgen/models/paint_openings.hpp"
+#include "sectorgen/models/palette_png.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr int kFacadeColours = 16;  // 4 bits a pixel; more shows no better and doubles the bytes
+constexpr int kAtlasColours = 64;
+
+Texture texture_of(const Canvas& picture, int colours) {
+  Texture texture{"", picture.width(), picture.height(), palette_png(picture, colours)};
+  char id[17];
+  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(texture.png)));
+  texture.id = id;
+  return texture;
+}
+
+/// All that a picture depends on.
+auto picture_key(const Facade& facade, Colour wall) {
+  const Facade f = image_pattern(facade);
+  return std::make_tuple(f.style, wall, f.floors, f.bays, f.door_bay, f.has_shop);
+}
+
+}  // namespace
+
+void paint_textures(City& city, unsigned threads) {
+  std::unordered_map<std::string, Colour> wall;
+  for (const auto& house : city.buildings) wall.emplace(house.id, house.wall_colour);
+  std::map<decltype(picture_key({}, {})), std::vector<std::size_t>> users;
+  for (std::size_t i = 0; i < city.facades.size(); ++i)
+    users[picture_key(city.facades[i], wall[city.facades[i].building_id])].push_back(i);
+
+  std::vector<std::pair<Colour, std::vector<std::size_t>>> pictures;
+  for (auto& [key, list] : users) pictures.emplace_back(std::get<Colour>(key), std::move(list));
+  std::vector<Texture> textures(pictures.size());
+  run_parallel(pictures.size(), thread_count(threads), [&](std::size_t i, unsigned) {
+    const auto& [colour, list] = pictures[i];
+    textures[i] = texture_of(paint_facade(image_pattern(city.facades[list.front()]), colour), kFacadeColours);
+  });
+  std::map<std::string, Texture> by_id;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (const std::size_t facade : pictures[i].second) city.facades[facade].texture = textures[i].id;
+    by_id.emplace(textures[i].id, std::move(textures[i]));
+  }
+  Texture atlas = texture_of(paint_atlas(), kAtlasColours);
+  city.meta["atlas"] = atlas.id;
+  by_id.emplace(atlas.id, std::move(atlas));
+  city.textures.clear();
+  for (auto& [id, texture] : by_id) city.textures.push_back(std::move(texture));
+}
+
+}  // namespace vicus

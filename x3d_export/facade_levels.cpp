@@ -1,0 +1,220 @@
+#include "x3d_export/facade_levels.hpp"
+
+#include <algorithm>
+
+#include "x3d_export/wall_frame.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr int kDeepFloors = 10;
+constexpr std::size_t kBalconyTriangles = 12, kSillTriangles = 6;
+constexpr Colour kIron{44, 46, 50};
+
+Colour shaded(Colour c, double k) {
+  const auto channel = [k](std::uint8_t v) { return static_cast<std::uint8_t>(std::min(255.0, v * k)); };
+  return {channel(c.r), channel(c.g), channel(c.b)};
+}
+
+class FacadeBuilder {
+ public:
+  FacadeBuilder(const Facade& facade, Colour wall, PlanPoint origin)
+      : facade_(facade),
+        frame_(facade.a, facade.b, origin),
+        wall_(wall),
+        stone_(shaded(wall, 1.05)),
+        openings_(openings_of(facade)) {
+    for (Opening& o : openings_) {
+      o.z0 += facade.bottom_m;
+      o.z1 += facade.bottom_m;
+    }
+  }
+
+  void silhouette(LevelFaces& level) const { front(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m); }
+
+  void quads(LevelFaces& level, int first_floor) const {
+    for (const Opening& o : openings_)
+      if (o.floor >= first_floor) level.atlas.push_back(image_face(o, kQuadOffset_m));
+  }
+
+  void textured(LevelFaces& level) const {
+    const double right = frame_.length_m(), u = facade_.repeats;
+    level.own_images.emplace_back(
+        facade_.texture, TexturedFace{{frame_.at(0, facade_.bottom_m, 0), frame_.at(right, facade_.bottom_m, 0),
+                                       frame_.at(right, facade_.top_m, 0), frame_.at(0, facade_.top_m, 0)},
+                                      {{{0, 0}, {u, 0}, {u, 1}, {0, 1}}}});
+  }
+
+  /// One image serves houses with different doors: they stand in front of it.
+  void doors(LevelFaces& level) const {
+    for (const Opening& o : openings_)
+      if (o.kind == OpeningKind::house_door) level.atlas.push_back(image_face(o, kQuadOffset_m));
+  }
+
+  /// Balconies and sills up to about the triangles of level 2's quads.
+  void relief(LevelFaces& level) const {
+    std::size_t budget = 2 * openings_.size();
+    for (const Opening& o : openings_)
+      if (has_balcony(o) && budget >= kBalconyTriangles) {
+        balcony(level, o);
+        budget -= kBalconyTriangles;
+      }
+    for (const Opening& o : openings_)
+      if (o.z0 > facade_.bottom_m + 0.2 && !has_balcony(o) && budget >= kSillTriangles) {
+        sill(level, o);
+        budget -= kSillTriangles;
+      }
+  }
+
+  /// The wall as bands and piers round the openings, and the openings behind it.
+  void deep(LevelFaces& level) const {
+    double band = facade_.bottom_m;
+    for (std::size_t i = 0; i < openings_.size();) {
+      const int floor = openings_[i].floor;
+      if (floor >= kDeepFloors) break;
+      std::size_t end = i;
+      double low = facade_.top_m, high = facade_.bottom_m;
+      for (; end < openings_.size() && openings_[end].floor == floor; ++end) {
+        low = std::min(low, openings_[end].z0);
+        high = std::max(high, openings_[end].z1);
+      }
+      front(level, 0, frame_.length_m(), band, low);
+      double x = 0;
+      for (; i < end; ++i) {
+        const Opening& o = openings_[i];
+        front(level, x, o.x0, low, high);
+        front(level, o.x0, o.x1, low, o.z0);
+        front(level, o.x0, o.x1, o.z1, high);
+        recess(level, o);
+        x = o.x1;
+      }
+      front(level, x, frame_.length_m(), low, high);
+      band = high;
+    }
+    front(level, 0, frame_.length_m(), band, facade_.top_m);
+  }
+
+  /// Openings floor by floor, from the left.
+  void sort_by_floor() {
+    std::stable_sort(openings_.begin(), openings_.end(), [](const Opening& a, const Opening& b) {
+      return std::pair(a.floor, a.x0) < std::pair(b.floor, b.x0);
+    });
+  }
+
+ private:
+  void add(LevelFaces& level, X3dPoint p, X3dPoint q, X3dPoint r, X3dPoint s, Colour colour) const {
+    level.solid.push_back({{p, q, r, s}, 4, colour});
+  }
+  void front(LevelFaces& level, double x0, double x1, double z0, double z1, double out, Colour colour) const {
+    if (height_mm(z0) >= height_mm(z1) || height_mm(x0) >= height_mm(x1)) return;
+    add(level, frame_.at(x0, z0, out), frame_.at(x1, z0, out), frame_.at(x1, z1, out), frame_.at(x0, z1, out), colour);
+  }
+  void front(LevelFaces& level, double x0, double x1, double z0, double z1) const {
+    front(level, x0, x1, z0, z1, 0, wall_);
+  }
+  void upper_side(LevelFaces& level, double x0, double x1, double z, double back, double out, Colour colour) const {
+    add(level, frame_.at(x0, z, back), frame_.at(x0, z, out), frame_.at(x1, z, out), frame_.at(x1, z, back), colour);
+  }
+  void under_side(LevelFaces& level, double x0, double x1, double z, double back, double out, Colour colour) const {
+    add(level, frame_.at(x0, z, back), frame_.at(x1, z, back), frame_.at(x1, z, out), frame_.at(x0, z, out), colour);
+  }
+  /// Seen by who looks towards larger x (is_left), or smaller.
+  void cheek(LevelFaces& level, double x, double z0, double z1, double back, double out, bool is_left,
+             Colour colour) const {
+    if (is_left)
+      add(level, frame_.at(x, z0, back), frame_.at(x, z0, out), frame_.at(x, z1, out), frame_.at(x, z1, back), colour);
+    else
+      add(level, frame_.at(x, z0, back), frame_.at(x, z1, back), frame_.at(x, z1, out), frame_.at(x, z0, out), colour);
+  }
+
+  TexturedFace image_face(const Opening& o, double out) const {
+    const AtlasTile t = atlas_tile(o.kind);
+    return {{frame_.at(o.x0, o.z0, out), frame_.at(o.x1, o.z0, out), frame_.at(o.x1, o.z1, out),
+             frame_.at(o.x0, o.z1, out)},
+            {{{t.u0, t.v0}, {t.u1, t.v0}, {t.u1, t.v1}, {t.u0, t.v1}}}};
+  }
+
+  void recess(LevelFaces& level, const Opening& o) const {
+    const double depth = figures_of(facade_.style).depth;
+    const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
+    cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
+    cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);
+    if (o.z0 > facade_.bottom_m + 0.01) upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
+    under_side(level, o.x0, o.x1, o.z1, -depth, 0, top);
+    level.atlas.push_back(image_face(o, -depth));
+  }
+
+  /// Old stone houses have them on the second and the last floor, others now and then.
+  bool has_balcony(const Opening& o) const {
+    const bool is_window = o.kind == OpeningKind::tall_window || o.kind == OpeningKind::wide_window;
+    if (!is_window || o.floor < 1) return false;
+    if (facade_.style == FacadeStyle::stone) return o.floor == 2 || o.floor == facade_.floors - 1;
+    return facade_.style == FacadeStyle::modern && o.bay % 3 == 1;
+  }
+
+  void balcony(LevelFaces& level, const Opening& o) const {
+    const double x0 = o.x0 - 0.25, x1 = o.x1 + 0.25, z0 = o.z0 - 0.14, z1 = o.z0 - 0.02, out = 0.5;
+    front(level, x0, x1, z0, z1, out, stone_);
+    upper_side(level, x0, x1, z1, 0, out, stone_);
+    under_side(level, x0, x1, z0, 0, out, shaded(wall_, 0.7));
+    cheek(level, x0, z0, z1, 0, out, true, stone_);
+    cheek(level, x1, z0, z1, 0, out, false, stone_);
+    front(level, x0, x1, z1 + 0.86, z1 + 0.92, out, kIron);
+  }
+
+  void sill(LevelFaces& level, const Opening& o) const {
+    const double x0 = o.x0 - 0.08, x1 = o.x1 + 0.08, z0 = o.z0 - 0.1, out = 0.1;
+    front(level, x0, x1, z0, o.z0, out, stone_);
+    upper_side(level, x0, x1, o.z0, 0, out, stone_);
+    under_side(level, x0, x1, z0, 0, out, shaded(wall_, 0.7));
+  }
+
+  const Facade& facade_;
+  WallFrame frame_;
+  Colour wall_, stone_;
+  std::vector<Opening> openings_;
+};
+
+}  // namespace
+
+std::size_t LevelFaces::triangles() const {
+  std::size_t count = 2 * (atlas.size() + own_images.size());
+  for (const Face& face : solid) count += static_cast<std::size_t>(face.count) - 2;
+  return count;
+}
+
+void add_facade(const Facade& facade, Colour wall, PlanPoint origin, LevelFaces (&levels)[4]) {
+  FacadeBuilder builder(facade, wall, origin);
+  builder.sort_by_floor();
+  builder.silhouette(levels[0]);
+  builder.silhouette(levels[1]);
+  builder.quads(levels[1], 0);
+  builder.textured(levels[2]);
+  builder.doors(levels[2]);
+  builder.relief(levels[2]);
+  builder.deep(levels[3]);
+  builder.quads(levels[3], kDeepFloors);
+  builder.relief(levels[3]);
+}
+
+std::vector<Facade> split_facade(const Facade& facade, int most) {
+  const int each = std::max(1, most / std::max(1, facade.bays * facade.floors));
+  const int pieces = (facade.repeats + each - 1) / each;
+  std::vector<Facade> out;
+  const auto cut = [&](int repeat) {
+    const double t = static_cast<double>(repeat) / facade.repeats;
+    return PlanPoint{facade.b.x + static_cast<std::int32_t>(std::lround(t * (facade.a.x - facade.b.x))),
+                     facade.b.y + static_cast<std::int32_t>(std::lround(t * (facade.a.y - facade.b.y)))};
+  };
+  for (int i = 0; i < pieces; ++i) {
+    const int first = facade.repeats * i / pieces, last = facade.repeats * (i + 1) / pieces;
+    Facade piece = facade;
+    piece.b = cut(first);
+    piece.a = cut(last);
+    piece.repeats = last - first;
+    out.push_back(std::move(piece));
+  }
+  return out;
+}
+
+}  // namespace vicus

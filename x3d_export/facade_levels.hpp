@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "city_db/facade_layout.hpp"
+#include "x3d_export/mesh.hpp"
+
+/// One facade in the four levels of detail of paper 004 §4.2 ("Urban LOD"), all from one layout of its openings.
+///
+/// Levels  1 silhouette: the wall in its colour. 2 = 1 + quads of windows and doors in front of it, from the city's
+///         atlas. 3 = one texture over the facade, the door before it, balconies and sills, about as many
+///         triangles as 2. 4 = the openings
+///         of level 2 set into the wall at their depth, with the balconies of 3.
+/// Frame   the sector's own.
+namespace vicus {
+
+/// Faces in one colour each, and faces under an image.
+struct LevelFaces {
+  std::vector<Face> solid;
+  std::vector<TexturedFace> atlas;                               ///< under the atlas of windows and doors
+  std::vector<std::pair<std::string, TexturedFace>> own_images;  ///< id of the texture, face
+  std::size_t triangles() const;
+};
+
+/// Distance of level 2's quads before the wall: two steps of a 24-bit depth buffer at 200 m (near 0.1 m), so they do
+/// not flicker out to 250 m. research/HOUSES.md §7.
+inline constexpr double kQuadOffset_m = 0.05;
+
+/// Adds the facade to all four levels (levels[0] is level 1).
+/// Error   level 4 sets the openings of the lowest ten floors only; above them nobody sees the depth.
+void add_facade(const Facade& facade, Colour wall, PlanPoint origin, LevelFaces (&levels)[4]);
+
+/// The same facade as several, pattern by pattern, none with more than `most` openings where a pattern has fewer.
+std::vector<Facade> split_facade(const Facade& facade, int most);
+
+}  // namespace vicus

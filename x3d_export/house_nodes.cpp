@@ -1,0 +1,141 @@
+#include "x3d_export/house_nodes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "city_db/boxes.hpp"
+#include "x3d_export/facade_levels.hpp"
+#include "x3d_export/house_body.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr int kMostOpenings = 60;  // of one LOD node: its fourth level stays below 30 kB
+constexpr double kCentre_m = 1.7;  // of an LOD node, above ground: distances are the walker's
+
+std::string texture_url(const std::string& id) { return "../textures/" + id + ".png"; }
+
+/// What one house has in the sector.
+struct Share {
+  const Building* house = nullptr;
+  std::vector<const Facade*> facades;
+  std::vector<std::pair<PlanPoint, PlanPoint>> blind;  // stretches of its border without openings
+  bool has_body = false;                               // this sector sends its roof and side walls
+};
+
+std::map<std::string, Share> shares_of(const CityIndex& index, const Sector& sector) {
+  std::map<std::string, Share> shares;
+  if (!index.city().meta.contains("atlas")) return shares;
+  std::set<std::pair<PlanPoint, PlanPoint>> with_openings;
+  for (const Facade* facade : index.facades_of(sector.id)) {
+    const Building* house = index.building(facade->building_id);
+    if (!house || house->base_m > 0) continue;
+    Share& share = shares[house->id];
+    share.house = house;
+    share.facades.push_back(facade);
+    with_openings.insert({facade->a, facade->b});
+  }
+  for (const Border* border : index.borders_of(sector.id)) {
+    const auto at = shares.find(border->building_id);
+    if (border->kind != BorderKind::facade || at == shares.end()) continue;
+    const auto runs = straight_runs(border->line);
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      const std::pair stretch(border->line[runs[i]], border->line[runs[i + 1]]);
+      if (!with_openings.contains(stretch)) at->second.blind.push_back(stretch);
+    }
+  }
+  for (const Building* house : index.buildings_of(sector.id))
+    if (const auto at = shares.find(house->id); at != shares.end()) at->second.has_body = true;
+  return shares;
+}
+
+/// The levels of one LOD node, and what its middle is taken from.
+struct Piece {
+  LevelFaces levels[4];
+  PlanBox box;
+};
+
+Node level_node(const LevelFaces& faces, const std::string& atlas) {
+  Node group("Group");
+  if (!faces.solid.empty()) group.add(shape_of("", Surface::solid, faces.solid));
+  std::map<std::string, std::vector<TexturedFace>> by_image;
+  for (const auto& [image, face] : faces.own_images) by_image[image].push_back(face);
+  if (!faces.atlas.empty()) by_image[atlas] = faces.atlas;
+  for (const auto& [image, list] : by_image) group.add(textured_shape(image, texture_url(image), list));
+  return group;
+}
+
+Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas) {
+  const PlanPoint middle{piece.box.min.x + (piece.box.max.x - piece.box.min.x) / 2,
+                         piece.box.min.y + (piece.box.max.y - piece.box.min.y) / 2};
+  const X3dPoint centre = x3d_from_plan(middle, height_mm(kCentre_m), origin);
+  Node lod("LOD");
+  lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
+  lod.set("range", std::vector<double>(std::begin(kLevelRanges_m), std::end(kLevelRanges_m)));
+  for (int level = 3; level >= 0; --level) lod.add(level_node(piece.levels[level], atlas));
+  return lod;
+}
+
+void add_to_all(Piece& piece, const std::vector<Face>& faces) {
+  for (auto& level : piece.levels) level.solid.insert(level.solid.end(), faces.begin(), faces.end());
+}
+
+std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
+  std::vector<Piece> pieces(1);
+  int openings = 0;
+  for (const Facade* facade : share.facades)
+    for (const Facade& part : split_facade(*facade, kMostOpenings)) {
+      const int count = part.floors * part.bays * part.repeats;
+      if (openings > 0 && openings + count > kMostOpenings) {
+        pieces.emplace_back();
+        openings = 0;
+      }
+      openings += count;
+      add_facade(part, share.house->wall_colour, origin, pieces.back().levels);
+      pieces.back().box.add(part.a);
+      pieces.back().box.add(part.b);
+    }
+  FaceList plain(origin);
+  for (const auto& [a, b] : share.blind) plain.add_wall(a, b, 0, wall_top_m(*share.house), share.house->wall_colour);
+  if (share.has_body) add_body(plain, *share.house);
+  add_to_all(pieces.front(), plain.take());
+  if (share.has_body) {
+    FaceList chimneys(origin);
+    const std::size_t quads = pieces.front().levels[1].atlas.size();
+    add_chimneys(chimneys, *share.house, static_cast<int>(2 * quads / kChimneyTriangles));
+    const auto faces = chimneys.take();
+    for (int level : {2, 3}) {
+      auto& solid = pieces.front().levels[level].solid;
+      solid.insert(solid.end(), faces.begin(), faces.end());
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector) {
+  std::vector<std::string> ids;
+  for (const auto& [id, share] : shares_of(index, sector)) ids.push_back(id);
+  return ids;
+}
+
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector) {
+  std::vector<Node> nodes;
+  const auto shares = shares_of(index, sector);
+  if (shares.empty()) return nodes;
+  const std::string& atlas = index.city().meta.at("atlas");
+  for (const auto& [id, share] : shares)
+    for (const Piece& piece : pieces_of(share, sector.origin)) nodes.push_back(lod_node(piece, sector.origin, atlas));
+  return nodes;
+}
+
+int count_shapes(const Node& node) {
+  int count = node.type == "Shape" ? 1 : 0;
+  for (const auto& field : node.nodes)
+    for (const auto& child : field.nodes) count += count_shapes(child);
+  return count;
+}
+
+}  // namespace vicus

@@ -1,0 +1,23 @@
+#pragma once
+#include <vector>
+
+#include "x3d_export/city_index.hpp"
+#include "x3d_export/scene.hpp"
+
+/// The houses of a near sector file: for each, one LOD node (several for a long one) with the four levels of paper 004
+/// §4.2, nearest first.
+namespace vicus {
+
+/// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
+inline constexpr double kLevelRanges_m[] = {30, 90, 250};
+
+/// Ids of the houses that have facades with openings in the sector: they come as LOD nodes, all others as plain prisms.
+std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector);
+
+/// Frame   the sector's own.   Urls  "../textures/ID.png".
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector);
+
+/// Shape nodes below a node, all levels counted.
+int count_shapes(const Node& node);
+
+}  // namespace vicus
