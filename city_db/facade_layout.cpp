@@ -145,7 +145,7 @@ std::vector<Opening> openings_of(const Facade& facade) {
 }
 
 AtlasTile atlas_tile(OpeningKind kind) {
-  constexpr double kInset = 0.5 / kTilePixels;  // half a pixel: neighbours stay out of the filter
+  constexpr double kInset = 1.5 / kTilePixels;  // pixels: neighbours stay out of the filter
   const int i = static_cast<int>(kind), column = i % kAtlasColumns, row = i / kAtlasColumns;
   const auto at = [](double n, int of) { return n / of; };
   return {at(column + kInset, kAtlasColumns), at(kAtlasRows - 1 - row + kInset, kAtlasRows),

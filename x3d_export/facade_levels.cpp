@@ -8,8 +8,7 @@ namespace vicus {
 namespace {
 
 constexpr int kDeepFloors = 10;
-constexpr std::size_t kBalconyTriangles = 12, kSillTriangles = 6;
-constexpr Colour kIron{44, 46, 50};
+constexpr std::size_t kBalconyTriangles = 10, kSillTriangles = 6;
 
 Colour shaded(Colour c, double k) {
   const auto channel = [k](std::uint8_t v) { return static_cast<std::uint8_t>(std::min(255.0, v * k)); };
@@ -30,20 +29,16 @@ class FacadeBuilder {
     }
   }
 
-  void silhouette(LevelFaces& level) const { front(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m); }
+  void silhouette(LevelFaces& level) const {
+    front(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m, 0, wall_);
+  }
 
   void quads(LevelFaces& level, int first_floor) const {
     for (const Opening& o : openings_)
       if (o.floor >= first_floor) level.atlas.push_back(image_face(o, kQuadOffset_m));
   }
 
-  void textured(LevelFaces& level) const {
-    const double right = frame_.length_m(), u = facade_.repeats;
-    level.own_images.emplace_back(
-        facade_.texture, TexturedFace{{frame_.at(0, facade_.bottom_m, 0), frame_.at(right, facade_.bottom_m, 0),
-                                       frame_.at(right, facade_.top_m, 0), frame_.at(0, facade_.top_m, 0)},
-                                      {{{0, 0}, {u, 0}, {u, 1}, {0, 1}}}});
-  }
+  void textured(LevelFaces& level) const { under_image(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m); }
 
   /// One image serves houses with different doors: they stand in front of it.
   void doors(LevelFaces& level) const {
@@ -66,7 +61,7 @@ class FacadeBuilder {
       }
   }
 
-  /// The wall as bands and piers round the openings, and the openings behind it.
+  /// The wall under its image as bands and piers round the openings, and the openings behind it.
   void deep(LevelFaces& level) const {
     double band = facade_.bottom_m;
     for (std::size_t i = 0; i < openings_.size();) {
@@ -78,20 +73,20 @@ class FacadeBuilder {
         low = std::min(low, openings_[end].z0);
         high = std::max(high, openings_[end].z1);
       }
-      front(level, 0, frame_.length_m(), band, low);
+      under_image(level, 0, frame_.length_m(), band, low);
       double x = 0;
       for (; i < end; ++i) {
         const Opening& o = openings_[i];
-        front(level, x, o.x0, low, high);
-        front(level, o.x0, o.x1, low, o.z0);
-        front(level, o.x0, o.x1, o.z1, high);
+        under_image(level, x, o.x0, low, high);
+        under_image(level, o.x0, o.x1, low, o.z0);
+        under_image(level, o.x0, o.x1, o.z1, high);
         recess(level, o);
         x = o.x1;
       }
-      front(level, x, frame_.length_m(), low, high);
+      under_image(level, x, frame_.length_m(), low, high);
       band = high;
     }
-    front(level, 0, frame_.length_m(), band, facade_.top_m);
+    under_image(level, 0, frame_.length_m(), band, facade_.top_m);
   }
 
   /// Openings floor by floor, from the left.
@@ -109,8 +104,15 @@ class FacadeBuilder {
     if (height_mm(z0) >= height_mm(z1) || height_mm(x0) >= height_mm(x1)) return;
     add(level, frame_.at(x0, z0, out), frame_.at(x1, z0, out), frame_.at(x1, z1, out), frame_.at(x0, z1, out), colour);
   }
-  void front(LevelFaces& level, double x0, double x1, double z0, double z1) const {
-    front(level, x0, x1, z0, z1, 0, wall_);
+  /// A piece of the wall under the part of the facade's image that lies there.
+  void under_image(LevelFaces& level, double x0, double x1, double z0, double z1) const {
+    if (height_mm(z0) >= height_mm(z1) || height_mm(x0) >= height_mm(x1)) return;
+    const auto u = [&](double x) { return x / frame_.length_m() * facade_.repeats; };
+    const auto v = [&](double z) { return (z - facade_.bottom_m) / (facade_.top_m - facade_.bottom_m); };
+    level.own_images.emplace_back(
+        facade_.texture,
+        TexturedFace{{frame_.at(x0, z0, 0), frame_.at(x1, z0, 0), frame_.at(x1, z1, 0), frame_.at(x0, z1, 0)},
+                     {{{u(x0), v(z0)}, {u(x1), v(z0)}, {u(x1), v(z1)}, {u(x0), v(z1)}}}});
   }
   void upper_side(LevelFaces& level, double x0, double x1, double z, double back, double out, Colour colour) const {
     add(level, frame_.at(x0, z, back), frame_.at(x0, z, out), frame_.at(x1, z, out), frame_.at(x1, z, back), colour);
@@ -159,7 +161,6 @@ class FacadeBuilder {
     under_side(level, x0, x1, z0, 0, out, shaded(wall_, 0.7));
     cheek(level, x0, z0, z1, 0, out, true, stone_);
     cheek(level, x1, z0, z1, 0, out, false, stone_);
-    front(level, x0, x1, z1 + 0.86, z1 + 0.92, out, kIron);
   }
 
   void sill(LevelFaces& level, const Opening& o) const {

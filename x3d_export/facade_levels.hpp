@@ -9,7 +9,7 @@
 /// Levels  1 silhouette: the wall in its colour. 2 = 1 + quads of windows and doors in front of it, from the city's
 ///         atlas. 3 = one texture over the facade, the door before it, balconies and sills, about as many
 ///         triangles as 2. 4 = the openings
-///         of level 2 set into the wall at their depth, with the balconies of 3.
+///         of level 2 set into the wall of 3 at their depth, with its balconies.
 /// Frame   the sector's own.
 namespace vicus {
 

@@ -1,6 +1,7 @@
 import { loadPhase } from '../core/loadPhase.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { levelOf } from '../core/sectorRecord.js';
+import { steadyLevel } from '../core/steadyLevel.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
@@ -37,6 +38,7 @@ export class XIteAdapter {
      */
     async load(url) {
         await this.browser.loadURL(new this.X3D.MFString(url));
+        steadyLevels(this.browser.currentScene);
         const navigation = this.browser.activeNavigationInfo;
         if (navigation) navigation.type = new this.X3D.MFString('NONE');
     }
@@ -118,4 +120,17 @@ export function axisAngle(heading, pitch) {
     const [x, y, z, w] = [cy * sp, sy * cp, -sy * sp, cy * cp];
     const length = Math.hypot(x, y, z);
     return length < 1e-9 ? [0, 1, 0, 0] : [x / length, y / length, z / length, 2 * Math.atan2(length, w)];
+}
+
+/** X3D's LOD changes level exactly at its range; here all LOD nodes keep their level near a threshold. */
+function steadyLevels(scene) {
+    const prototype = Object.getPrototypeOf(scene.createNode('LOD').getValue());
+    if (prototype.hasSteadyLevels) return;
+    const plainLevel = prototype.getLevel;
+    prototype.hasSteadyLevels = true;
+    prototype.getLevel = function (modelViewMatrix) {
+        if (this._range.length === 0) return plainLevel.call(this, modelViewMatrix);
+        const distance = modelViewMatrix.translate(this._center.getValue()).origin.norm();
+        return steadyLevel(Array.from(this._range), this._level_changed.getValue(), distance);
+    };
 }
