@@ -11,6 +11,7 @@
 
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
+#include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
@@ -105,6 +106,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   name_sectors(map, plan, city);
   furnish(map, plan, city);
   identify(options.previous, city);
+  roof_houses(city);
   const PlanFrame frame(city.origin);
   mark_important(city, {options.important, [&](LatLon p) { return frame.plan_from_latlon(p); }, options.previous},
                  city.issues);

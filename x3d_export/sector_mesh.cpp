@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "x3d_export/objects.hpp"
+#include "x3d_export/roof_mesh.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -79,9 +80,9 @@ void add_ring_walls(FaceList& faces, const Building& house, const Ring& ring) {
 void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   for (const Building* house : index.buildings_of(sector.id)) {
     if (!is_drawn(index, sector, detail, house->id)) continue;
-    faces.add_floor(house->footprint, house->roof_triangles, prism_top_m(*house), roof_colour(*house), false);
+    add_roof(faces, *house);
     if (house->base_m > 0) {
-      faces.add_floor(house->footprint, house->roof_triangles, house->base_m, facade_colour(*house), true);
+      add_underside(faces, *house);
       add_ring_walls(faces, *house, house->footprint.outer);
       for (const auto& hole : house->footprint.holes) add_ring_walls(faces, *house, hole);
       continue;

@@ -16,7 +16,7 @@ auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kin
 auto fields(const SideWall& w) { return std::tie(w.a, w.b, w.bottom_m); }
 auto fields(const Building& b) {
   return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.base_m, b.height_m, b.eave_m, b.roof_shape,
-                  b.height_source, b.roof_triangles, b.side_walls, b.tags);
+                  b.roof_source, b.height_source, b.roof, b.side_walls, b.tags);
 }
 auto fields(const Obstacle& o) { return std::tie(o.kind, o.source_id, o.height_m, o.area); }
 auto fields(const Street& s) {
