@@ -1,8 +1,11 @@
 #include "sectorgen/models/roof_city.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "sectorgen/models/guess_roof.hpp"
+#include "sectorgen/models/roof_fans.hpp"
 #include "sectorgen/models/roof_flat.hpp"
 
 namespace vicus {
@@ -57,9 +60,42 @@ void update_side_walls(City& city) {
   }
 }
 
+namespace {
+
+/// The roof stands on the walls where the top is known: what it rises less than asked, the walls rise more.
+void put_on(Building& b, const RoofWish& wish, BuiltRoof built, double asked_eave_m) {
+  b.roof_shape = name_of(built.form);
+  b.roof_source = built.rung == RoofRung::flat ? RoofSource::flat_fallback : wish.source;
+  double lift_m = 0;
+  if (b.height_source != HeightSource::levels || b.eave_m < b.height_m - 0.001)
+    lift_m = std::max(0.0, std::floor((b.height_m - top_of(built.roof)) * kMmPerMetre) / kMmPerMetre);
+  for (auto& p : built.roof.points) p.up += roof_steps(lift_m);
+  b.eave_m = asked_eave_m + lift_m;
+  b.height_m = top_of(built.roof);
+  b.roof = std::move(built.roof);
+}
+
+}  // namespace
+
 void roof_houses(City& city) {
-  for (auto& b : city.buildings) {
-    b.roof = flat_roof(b.footprint, b.eave_m);
+  const auto wishes = guess_roofs(city);
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    Building& b = city.buildings[i];
+    const RoofWish& wish = wishes[i];
+    double eave_m = b.height_m;
+    if (wish.request.form != RoofForm::flat) {
+      // Levels count storeys below the roof: it comes on top of them. Of other heights it is a part.
+      const bool is_on_top = b.height_source == HeightSource::levels && b.eave_m >= b.height_m - 0.001;
+      eave_m = is_on_top ? b.eave_m : std::max(b.height_m - wish.request.rise_m, b.base_m + 0.2);
+    }
+    eave_m = metres(lattice_mm(eave_m));
+    BuiltRoof built = build_roof(b.footprint, eave_m, wish.request);
+    if (built.rung == RoofRung::other_form || built.rung == RoofRung::flat)
+      city.issues.push_back({IssueCode::roof_flattened,
+                             std::string("No ") + name_of(wish.request.form) + " roof can be built here; " +
+                                 name_of(built.form) + " instead.",
+                             b.source_id, b.footprint.outer[0]});
+    put_on(b, wish, std::move(built), eave_m);
   }
   update_side_walls(city);
 }

@@ -343,6 +343,10 @@ class Wavefront {
       if (corners_[i].is_alive) alive.push_back(i);
     for (const std::uint32_t i : alive) {
       Corner& c = corners_[i];
+      // Between two walls that stay upright nothing changes: no point amid their common edge.
+      if (next && lines_[c.left].run == 0 && lines_[c.right].run == 0 && next->run[c.left] == 0 &&
+          next->run[c.right] == 0)
+        continue;
       const WavePoint p = at(c, now_);
       const std::uint32_t node = add_node(p.x, p.y, now_);
       add_arc(c.node, node, c.left, c.right);
