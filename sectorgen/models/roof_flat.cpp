@@ -1,5 +1,6 @@
 #include "sectorgen/models/roof_flat.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sectorgen/geom/polygon.hpp"
@@ -47,6 +48,32 @@ Polygon polygon_of(const Roof& roof, const RoofFacet& facet) {
   return polygon;
 }
 
+/// Ears, the first that holds no other corner; where rounding leaves none, the first that turns left at all. Gables
+/// have few corners, and unrolled they are only nearly the polygon that the checker passed: this never fails.
+std::vector<std::uint32_t> ears_of(const Ring& ring) {
+  std::vector<std::uint32_t> left(ring.size()), out;
+  for (std::uint32_t i = 0; i < left.size(); ++i) left[i] = i;
+  while (left.size() > 3) {
+    const std::size_t n = left.size();
+    std::size_t best = n, turning = n;
+    for (std::size_t i = 0; i < n && best == n; ++i) {
+      const std::uint32_t a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
+      if (orient(ring[a], ring[b], ring[c]) <= 0) continue;
+      if (turning == n) turning = i;
+      const bool is_empty = std::none_of(left.begin(), left.end(), [&](std::uint32_t p) {
+        return p != a && p != b && p != c && orient(ring[a], ring[b], ring[p]) >= 0 &&
+               orient(ring[b], ring[c], ring[p]) >= 0 && orient(ring[c], ring[a], ring[p]) >= 0;
+      });
+      if (is_empty) best = i;
+    }
+    if (best == n) best = turning == n ? 0 : turning;
+    out.insert(out.end(), {left[(best + n - 1) % n], left[best], left[(best + 1) % n]});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  out.insert(out.end(), left.begin(), left.end());
+  return out;
+}
+
 }  // namespace
 
 std::int32_t roof_steps(double up_m) { return static_cast<std::int32_t>(std::llround(up_m * kRoofStepsPerMetre)); }
@@ -79,7 +106,9 @@ void triangulate_facets(Roof& roof) {
         facet.triangles.insert(facet.triangles.end(), {points[0], points[i], points[i + 1]});
       continue;
     }
-    for (const std::uint32_t i : triangulate(polygon)) facet.triangles.push_back(points[i]);
+    const bool is_gable = facet.kind == FacetKind::gable;
+    for (const std::uint32_t i : is_gable ? ears_of(polygon.outer) : triangulate(polygon))
+      facet.triangles.push_back(points[i]);
   }
 }
 
