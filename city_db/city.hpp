@@ -77,6 +77,37 @@ struct SideWall {
   double bottom_m = 0;
 };
 
+/// Where a house's roof shape comes from; the first that has something to say, in this order. flat_fallback: what was
+/// asked for could not be built on this footprint (issue roof_flattened).
+enum class RoofSource { tagged, neighbours, rule, preset, flat_fallback };
+
+enum class FacetKind { slope, top, gable };  ///< top: level; gable: upright, above the eave
+
+inline constexpr double kRoofStepsPerMetre = 10'000;  ///< heights of a roof are whole numbers of 0.1 mm
+
+struct RoofPoint {
+  PlanPoint at;
+  std::int32_t up = 0;  ///< above ground, 0.1 mm: finer than the plan, or rounding would bend the facets
+  friend auto operator<=>(const RoofPoint&, const RoofPoint&) = default;
+};
+
+/// A planar polygon of a roof. Rings are counter-clockwise seen from outside, holes clockwise.
+struct RoofFacet {
+  FacetKind kind = FacetKind::top;
+  std::vector<std::vector<std::uint32_t>> rings;  ///< outer, then holes: indices of points
+  Triangles triangles;                            ///< of the facet: indices of points, counter-clockwise from outside
+  friend bool operator==(const RoofFacet&, const RoofFacet&) = default;
+};
+
+/// What closes a house above its walls: with the walls from base to eave over every edge of the footprint, and the
+/// footprint as underside, the facets are a closed solid. Every edge of the footprint is an edge of one facet, at the
+/// eave. Facets are planar within 1 mm as stored, and do not meet but in edges and points.
+struct Roof {
+  std::vector<RoofPoint> points;
+  std::vector<RoofFacet> facets;
+  friend bool operator==(const Roof&, const Roof&) = default;
+};
+
 struct Building {
   std::string id, source_id, name;
   std::string sector_id;   ///< the sector that sends its roof and side walls
@@ -84,9 +115,10 @@ struct Building {
   double base_m = 0;       ///< underside above ground; > 0: one walks below, the footprint blocks nothing
   double height_m = 0;     ///< top of the roof above ground
   double eave_m = 0;       ///< top of the facades above ground
-  std::string roof_shape;  ///< OSM roof:shape, "flat" where unknown
+  std::string roof_shape;  ///< as built, OSM roof:shape
+  RoofSource roof_source = RoofSource::rule;
   HeightSource height_source = HeightSource::guessed;
-  Triangles roof_triangles;
+  Roof roof;
   std::vector<SideWall> side_walls;
   Colour wall_colour, roof_colour;
   Tags tags;  ///< building:colour, building:material, roof:colour, addr:*, ... for the models
@@ -198,6 +230,8 @@ const char* name_of(GateKind);
 const char* name_of(BorderKind);
 const char* name_of(ObstacleKind);
 const char* name_of(HeightSource);
+const char* name_of(RoofSource);
+const char* name_of(FacetKind);
 const char* name_of(VisibleReason);
 const char* name_of(Importance);
 const char* name_of(FacadeStyle);
@@ -206,6 +240,8 @@ bool parse_name(const std::string&, GateKind&);
 bool parse_name(const std::string&, BorderKind&);
 bool parse_name(const std::string&, ObstacleKind&);
 bool parse_name(const std::string&, HeightSource&);
+bool parse_name(const std::string&, RoofSource&);
+bool parse_name(const std::string&, FacetKind&);
 bool parse_name(const std::string&, VisibleReason&);
 bool parse_name(const std::string&, Importance&);
 bool parse_name(const std::string&, FacadeStyle&);

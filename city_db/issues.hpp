@@ -29,7 +29,8 @@ enum class IssueCode {
   absurd_height = 210,
   hole_outside = 211,
   incomplete_relation = 212,
-  part_outside = 213,  ///< a building:part outside of any building
+  part_outside = 213,    ///< a building:part outside of any building
+  roof_flattened = 214,  ///< the roof that was asked for cannot be built on this footprint: flat instead
   // 3xx streets
   unmapped_street = 301,  ///< an opening between sectors that looks like a street without an axis
   street_too_short = 302,

@@ -27,6 +27,13 @@ constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"}, 
                                                 {ObstacleKind::yard, "yard"},   {ObstacleKind::courtyard, "courtyard"}};
 constexpr Names<HeightSource> kHeightSources = {
     {HeightSource::measured, "measured"}, {HeightSource::levels, "levels"}, {HeightSource::guessed, "guessed"}};
+constexpr Names<RoofSource> kRoofSources = {{RoofSource::tagged, "tagged"},
+                                            {RoofSource::neighbours, "neighbours"},
+                                            {RoofSource::rule, "rule"},
+                                            {RoofSource::preset, "preset"},
+                                            {RoofSource::flat_fallback, "flat_fallback"}};
+constexpr Names<FacetKind> kFacetKinds = {
+    {FacetKind::slope, "slope"}, {FacetKind::top, "top"}, {FacetKind::gable, "gable"}};
 constexpr Names<VisibleReason> kVisibleReasons = {{VisibleReason::self, "self"},
                                                   {VisibleReason::gate, "gate"},
                                                   {VisibleReason::line_of_sight, "line_of_sight"},
@@ -55,6 +62,7 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::hole_outside, "hole_outside"},
                                           {IssueCode::incomplete_relation, "incomplete_relation"},
                                           {IssueCode::part_outside, "part_outside"},
+                                          {IssueCode::roof_flattened, "roof_flattened"},
                                           {IssueCode::unmapped_street, "unmapped_street"},
                                           {IssueCode::street_too_short, "street_too_short"},
                                           {IssueCode::unmapped_passage, "unmapped_passage"},
@@ -84,6 +92,8 @@ const char* name_of(GateKind k) { return find_name(kGateKinds, k); }
 const char* name_of(BorderKind k) { return find_name(kBorderKinds, k); }
 const char* name_of(ObstacleKind k) { return find_name(kObstacleKinds, k); }
 const char* name_of(HeightSource s) { return find_name(kHeightSources, s); }
+const char* name_of(RoofSource s) { return find_name(kRoofSources, s); }
+const char* name_of(FacetKind k) { return find_name(kFacetKinds, k); }
 const char* name_of(VisibleReason r) { return find_name(kVisibleReasons, r); }
 const char* name_of(Importance i) { return find_name(kImportances, i); }
 const char* name_of(FacadeStyle s) { return find_name(kFacadeStyles, s); }
@@ -93,6 +103,8 @@ bool parse_name(const std::string& s, GateKind& k) { return find_value(kGateKind
 bool parse_name(const std::string& s, BorderKind& k) { return find_value(kBorderKinds, s, k); }
 bool parse_name(const std::string& s, ObstacleKind& k) { return find_value(kObstacleKinds, s, k); }
 bool parse_name(const std::string& s, HeightSource& k) { return find_value(kHeightSources, s, k); }
+bool parse_name(const std::string& s, RoofSource& k) { return find_value(kRoofSources, s, k); }
+bool parse_name(const std::string& s, FacetKind& k) { return find_value(kFacetKinds, s, k); }
 bool parse_name(const std::string& s, VisibleReason& k) { return find_value(kVisibleReasons, s, k); }
 bool parse_name(const std::string& s, Importance& k) { return find_value(kImportances, s, k); }
 bool parse_name(const std::string& s, FacadeStyle& k) { return find_value(kFacadeStyles, s, k); }

@@ -8,6 +8,7 @@
 #include "city_db/facade_layout.hpp"
 #include "city_db/geometry_blob.hpp"
 #include "city_db/json_text.hpp"
+#include "city_db/roof_blob.hpp"
 
 namespace vicus {
 namespace {
@@ -205,12 +206,13 @@ void bind_record(Statement& row, const Building& b) {
   row.bind(7, b.height_m);
   row.bind(8, b.eave_m);
   row.bind(9, b.roof_shape);
-  row.bind(10, name_of(b.height_source));
-  row.bind(11, json_from_tags(b.tags));
-  row.bind_blob(12, bytes_from_triangles(b.roof_triangles, b.footprint));
-  row.bind_blob(13, bytes_from_side_walls(b.side_walls));
-  row.bind(14, hex_of(b.wall_colour));
-  row.bind(15, hex_of(b.roof_colour));
+  row.bind(10, name_of(b.roof_source));
+  row.bind(11, name_of(b.height_source));
+  row.bind(12, json_from_tags(b.tags));
+  row.bind_blob(13, encode_roof(b.roof));
+  row.bind_blob(14, bytes_from_side_walls(b.side_walls));
+  row.bind(15, hex_of(b.wall_colour));
+  row.bind(16, hex_of(b.roof_colour));
 }
 
 void read_record(const Statement& row, Building& b) {
@@ -223,12 +225,13 @@ void read_record(const Statement& row, Building& b) {
   b.height_m = row.real(6);
   b.eave_m = row.real(7);
   b.roof_shape = row.text(8);
-  b.height_source = kind_at<HeightSource>(row, 9);
-  b.tags = tags_at(row, 10);
-  b.roof_triangles = triangles_from(row, 11, b.footprint);
-  b.side_walls = side_walls_from(row, 12);
-  b.wall_colour = require(row, colour_from_hex(row.text(13)), "a colour is not #rrggbb");
-  b.roof_colour = require(row, colour_from_hex(row.text(14)), "a colour is not #rrggbb");
+  b.roof_source = kind_at<RoofSource>(row, 9);
+  b.height_source = kind_at<HeightSource>(row, 10);
+  b.tags = tags_at(row, 11);
+  b.roof = require(row, decode_roof(row.bytes(12)), "bytes that are no roof");
+  b.side_walls = side_walls_from(row, 13);
+  b.wall_colour = require(row, colour_from_hex(row.text(14)), "a colour is not #rrggbb");
+  b.roof_colour = require(row, colour_from_hex(row.text(15)), "a colour is not #rrggbb");
 }
 
 void bind_record(Statement& row, const Facade& f) {

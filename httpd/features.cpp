@@ -39,6 +39,7 @@ Feature feature_of(const Building& building) {
                         {"height_m", building.height_m},
                         {"eave_m", building.eave_m},
                         {"roof_shape", building.roof_shape},
+                        {"roof_source", name_of(building.roof_source)},
                         {"height_source", name_of(building.height_source)},
                         {"tags", building.tags}};
   return feature;

@@ -12,6 +12,7 @@
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
 #include "sectorgen/models/facades.hpp"
+#include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
@@ -111,6 +112,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
                  city.issues);
 
   clock.begin("models");
+  roof_houses(city);
   lay_out_facades(city);
   paint_textures(city, options.threads);
 

@@ -141,7 +141,7 @@ class FacadeBuilder {
     const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
     cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
     cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);
-    if (o.z0 > facade_.bottom_m + 0.01) upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
+    upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
     under_side(level, o.x0, o.x1, o.z1, -depth, 0, top);
     level.atlas.push_back(image_face(o, -depth));
   }

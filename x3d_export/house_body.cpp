@@ -1,12 +1,17 @@
 #include "x3d_export/house_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+
+#include "x3d_export/roof_mesh.hpp"
 
 namespace vicus {
 namespace {
 
-constexpr double kHouseToAChimney_m2 = 70, kChimneyWidth_m = 0.8, kChimneyHeight_m = 1.1;
+constexpr double kHouseToAChimney_m2 = 70, kChimneyWidth_m = 0.8;
+constexpr double kChimneyHeight_m = 0.8;  // above the ridge
+constexpr double kChimneyInside_m = 0.8;  // below the roof, so that slopes do not show its open end
 constexpr std::size_t kMostChimneys = 4;
 constexpr Colour kBrick{132, 84, 66};
 
@@ -24,24 +29,30 @@ bool has_chimneys(const Building& house) {
 }
 
 struct RoofTriangle {
-  std::int64_t area2 = 0;  // mm2, twice
+  double area_m2 = 0;  // in plan
   PlanPoint middle;
+  double up_m = 0;
 };
 
+/// The triangles of slopes and tops, the largest first.
 std::vector<RoofTriangle> roof_triangles(const Building& house) {
-  std::vector<PlanPoint> points = house.footprint.outer;
-  for (const auto& hole : house.footprint.holes) points.insert(points.end(), hole.begin(), hole.end());
   std::vector<RoofTriangle> out;
-  const auto& t = house.roof_triangles;
-  for (std::size_t i = 0; i + 2 < t.size(); i += 3) {
-    const PlanPoint a = points.at(t[i]), b = points.at(t[i + 1]), c = points.at(t[i + 2]);
-    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
-    const auto mean = [](std::int64_t p, std::int64_t q, std::int64_t r) {
-      return static_cast<std::int32_t>((p + q + r) / 3);
-    };
-    out.push_back({ux * vy - uy * vx, {mean(a.x, b.x, c.x), mean(a.y, b.y, c.y)}});
+  for (const RoofFacet& facet : house.roof.facets) {
+    if (facet.kind == FacetKind::gable) continue;
+    for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
+      const RoofPoint &p = house.roof.points.at(facet.triangles[i]), &q = house.roof.points.at(facet.triangles[i + 1]),
+                      &r = house.roof.points.at(facet.triangles[i + 2]);
+      const double ux = metres(q.at.x - p.at.x), uy = metres(q.at.y - p.at.y), vx = metres(r.at.x - p.at.x),
+                   vy = metres(r.at.y - p.at.y);
+      const auto mean = [](std::int64_t a, std::int64_t b, std::int64_t c) {
+        return static_cast<std::int32_t>((a + b + c) / 3);
+      };
+      out.push_back({std::abs(ux * vy - uy * vx) / 2,
+                     {mean(p.at.x, q.at.x, r.at.x), mean(p.at.y, q.at.y, r.at.y)},
+                     mean(p.up, q.up, r.up) / kRoofStepsPerMetre});
+    }
   }
-  std::stable_sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p.area2 > q.area2; });
+  std::stable_sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p.area_m2 > q.area_m2; });
   return out;
 }
 
@@ -50,9 +61,9 @@ std::vector<RoofTriangle> roof_triangles(const Building& house) {
 double wall_top_m(const Building& house) { return house.eave_m > house.base_m ? house.eave_m : house.height_m; }
 
 void add_body(FaceList& faces, const Building& house) {
-  faces.add_floor(house.footprint, house.roof_triangles, wall_top_m(house), house.roof_colour, false);
+  add_roof(faces, house);
   if (house.base_m > 0) {
-    faces.add_floor(house.footprint, house.roof_triangles, house.base_m, house.wall_colour, true);
+    add_underside(faces, house);
     add_ring_walls(faces, house, house.footprint.outer);
     for (const auto& hole : house.footprint.holes) add_ring_walls(faces, house, hole);
     return;
@@ -65,11 +76,12 @@ void add_chimneys(FaceList& faces, const Building& house, int most) {
   if (!has_chimneys(house) || most < 1) return;
   const auto triangles = roof_triangles(house);
   double area_m2 = 0;
-  for (const auto& t : triangles) area_m2 += static_cast<double>(t.area2) / 2e6;
+  for (const auto& t : triangles) area_m2 += t.area_m2;
   const auto wanted = static_cast<std::size_t>(area_m2 / kHouseToAChimney_m2 + 0.5);
   const std::size_t count = std::min({wanted, kMostChimneys, static_cast<std::size_t>(most), triangles.size()});
   for (std::size_t i = 0; i < count; ++i)
-    faces.add_block(triangles[i].middle, kChimneyWidth_m, wall_top_m(house), house.height_m + kChimneyHeight_m, kBrick);
+    faces.add_block(triangles[i].middle, kChimneyWidth_m, triangles[i].up_m - kChimneyInside_m,
+                    house.height_m + kChimneyHeight_m, kBrick);
 }
 
 }  // namespace vicus

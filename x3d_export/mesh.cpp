@@ -79,6 +79,20 @@ void FaceList::add_block(PlanPoint middle, double width_m, double bottom_m, doub
   faces_.push_back({top, 4, colour});
 }
 
+void FaceList::add_triangle(const RoofPoint& a, const RoofPoint& b, const RoofPoint& c, Colour colour) {
+  std::array<X3dPoint, 4> corners{};
+  const std::array<const RoofPoint*, 3> points{&a, &b, &c};
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = x3d_from_plan(points[k]->at, height_mm(points[k]->up / kRoofStepsPerMetre), origin_);
+  const auto side = [&](std::size_t k) {
+    return std::array{std::int64_t{corners[k].x} - corners[0].x, std::int64_t{corners[k].y} - corners[0].y,
+                      std::int64_t{corners[k].z} - corners[0].z};
+  };
+  const auto u = side(1), v = side(2);
+  if (u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2]) return;
+  faces_.push_back({corners, 3, colour});
+}
+
 void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m,
                            double high_m, Colour colour) {
   const auto corner = [&](int side, double radius_m, double up_m) {

@@ -45,6 +45,9 @@ class FaceList {
   void add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour);
   /// Triangles of `polygon` at a height, seen from above, or from below.
   void add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour, bool from_below);
+  /// The triangle through three points of a roof, counter-clockwise seen from outside. Nothing when it has no area in
+  /// whole millimetres.
+  void add_triangle(const RoofPoint& a, const RoofPoint& b, const RoofPoint& c, Colour colour);
   /// A prism of `sides` sides around `at`; radius 0 makes that end a point, else it is left open.
   void add_spindle(PlanPoint at, int sides, double radius_low_m, double radius_high_m, double low_m, double high_m,
                    Colour colour);

@@ -67,7 +67,6 @@ struct HouseWriter {
     b.roof_shape = f.roof_shape;
     b.height_source = f.height_source;
     b.tags = f.tags;
-    b.roof_triangles = triangulate(area);
     b.footprint = std::move(area);
     buildings_of[house].push_back(static_cast<std::uint32_t>(city.buildings.size()));
     city.buildings.push_back(std::move(b));

@@ -20,7 +20,8 @@ double distance2_to(const HouseWall& w, Spot p) {
   return ex * ex + ey * ey;
 }
 
-/// The roof that is drawn is at the eave where that is known; the ridge may be higher, never lower.
+/// Surely filled up to the eave; nothing reaches above the ridge, and that is over the footprint: a line to it passes a
+/// wall of the house lower than the ridge, so walls up to there stand for it as targets.
 HouseBody body_of(const Building& b) {
   const double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m;
   return {b.base_m, eave, std::max(b.eave_m, b.height_m), 0, 0};

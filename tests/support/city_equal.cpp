@@ -16,7 +16,7 @@ auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kin
 auto fields(const SideWall& w) { return std::tie(w.a, w.b, w.bottom_m); }
 auto fields(const Building& b) {
   return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.base_m, b.height_m, b.eave_m, b.roof_shape,
-                  b.height_source, b.roof_triangles, b.side_walls, b.wall_colour, b.roof_colour, b.tags);
+                  b.roof_source, b.height_source, b.roof, b.side_walls, b.wall_colour, b.roof_colour, b.tags);
 }
 auto fields(const Facade& f) {
   return std::tie(f.sector_id, f.building_id, f.a, f.b, f.bottom_m, f.top_m, f.style, f.floors, f.bays, f.repeats,

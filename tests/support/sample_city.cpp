@@ -163,6 +163,24 @@ Building house(const std::string& id, const std::string& sector, double eave_m, 
   return b;
 }
 
+/// One level facet.
+Roof flat_roof(const Polygon& footprint, double up_m) {
+  Roof roof;
+  RoofFacet top;
+  const auto add = [&](const Ring& ring) {
+    top.rings.emplace_back();
+    for (const PlanPoint p : ring) {
+      top.rings.back().push_back(static_cast<std::uint32_t>(roof.points.size()));
+      roof.points.push_back({p, static_cast<std::int32_t>(std::llround(up_m * kRoofStepsPerMetre))});
+    }
+  };
+  add(footprint.outer);
+  for (const auto& hole : footprint.holes) add(hole);
+  top.triangles = triangulate(footprint);
+  roof.facets.push_back(std::move(top));
+  return roof;
+}
+
 void add_buildings(City& city) {
   auto& list = city.buildings;
   list.push_back(house("b-1", "s-main-w", 12, "gabled", {at(-60, 5), at(-32, 5.6), at(-32, 20), at(-60, 20)}));
@@ -187,7 +205,7 @@ void add_buildings(City& city) {
   list.push_back(house("b-7", "s-yard", 4, "skillion", {at(52, 22), at(60, 22), at(60, 40), at(52, 40), at(52, 36)}));
   list.push_back(house("b-8", "s-main-e", 11, "mansard", {at(5, -25), at(30, -25), at(30, -5), at(5, -5)}));
   list.push_back(house("b-9", "s-main-e", 9, "gabled", {at(30, -25), at(60, -28), at(60, -5), at(30, -5)}));
-  for (auto& b : list) b.roof_triangles = triangulate(b.footprint);
+  for (auto& b : list) b.roof = flat_roof(b.footprint, b.eave_m);
 }
 
 /// Side walls: every footprint edge that is no facade, where it stands above the neighbour.

@@ -90,6 +90,15 @@ class Scene {
       owners_.push_back(owner);
     }
   }
+  void add_roof(const Roof& roof, Owner owner) {
+    std::vector<std::uint32_t> at;
+    for (const auto& p : roof.points) at.push_back(add_point(p.at, p.up / kRoofStepsPerMetre));
+    for (const auto& facet : roof.facets)
+      for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
+        triangles_.push_back({at[facet.triangles[i]], at[facet.triangles[i + 1]], at[facet.triangles[i + 2]]});
+        owners_.push_back(owner);
+      }
+  }
   template <class OwnerOf>
   void add_walls(const Polygon& polygon, double low_m, double high_m, OwnerOf owner_of) {
     const auto add = [&](const Ring& ring) {
@@ -119,7 +128,7 @@ class Scene {
     const auto own = sectors_.find(b.sector_id);
     const std::uint32_t sector = own == sectors_.end() ? kNobody : own->second;
     const double top = b.eave_m > b.base_m ? b.eave_m : b.height_m;  // as it is drawn
-    add_flat(b.footprint, b.roof_triangles, top, {sector, h});
+    add_roof(b.roof, {sector, h});
     add_walls(b.footprint, b.base_m, top, [&](PlanPoint from, PlanPoint to) {
       const auto facade = facade_.find({h, {from, to}});
       return Owner{facade == facade_.end() ? sector : facade->second, h};

@@ -138,7 +138,7 @@ TEST(SampleCity, HasTrianglesThatCoverGroundsAndRoofsExactly) {
     EXPECT_EQ(sum, doubled_area(polygon));
   };
   for (const auto& s : city.sectors) check(s.ground, s.ground_triangles);
-  for (const auto& b : city.buildings) check(b.footprint, b.roof_triangles);
+  for (const auto& b : city.buildings) check(b.footprint, b.roof.facets.at(0).triangles);
 }
 
 TEST(SampleCity, NamesOnlyIdsThatExistAndUsesEveryList) {

@@ -315,7 +315,7 @@ TEST(TallFiles, HoldTheHousesSeenOverRoofsAndNothingElse) {
   EXPECT_DOUBLE_EQ(extent.high_m, prism_top_m(b10));
   EXPECT_DOUBLE_EQ(extent.low_m, 0);
   // Its roof, its side walls and its facade on this street; b-1 stands on the same street and is left out.
-  EXPECT_EQ(extent.faces, b10.roof_triangles.size() / 3 + b10.side_walls.size() + 1);
+  EXPECT_EQ(extent.faces, b10.roof.facets[0].triangles.size() / 3 + b10.side_walls.size() + 1);
   EXPECT_EQ(church.text.find("RECORD"), std::string::npos);
 }
 

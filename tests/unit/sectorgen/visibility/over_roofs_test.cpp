@@ -92,6 +92,15 @@ TEST(SightsOverRoofs, HideOnlyUpToTheEave) {
   EXPECT_TRUE(lists(seen_from_street(city), 1)) << "a steep roof may leave the view free";
 }
 
+TEST(SightsOverRoofs, LookUpToTheRidge) {
+  // Its walls end below the line over the first row, its ridge does not.
+  const double line_m = 2 + (10 - 2) * 42.0 / 10;
+  City city = two_rows(10, line_m - 6);
+  EXPECT_FALSE(lists(seen_from_street(city), 1));
+  city.buildings[1].height_m = line_m + 3;
+  EXPECT_TRUE(lists(seen_from_street(city), 1));
+}
+
 TEST(SightsOverRoofs, AreTheSameForAnyNumberOfThreadsAndSmallerWithFinerPieces) {
   GridOptions grid;
   grid.side = 6;

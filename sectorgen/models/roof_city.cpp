@@ -1,0 +1,103 @@
+#include "sectorgen/models/roof_city.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sectorgen/models/guess_roof.hpp"
+#include "sectorgen/models/roof_fans.hpp"
+#include "sectorgen/models/roof_flat.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr double kLeastWall_m = 0.05;  // lower steps between neighbours are not modelled
+
+using PlanEdge = std::pair<PlanPoint, PlanPoint>;
+
+template <class Visit>
+void visit_edges(const Polygon& polygon, Visit visit) {
+  const auto ring = [&](const Ring& r) {
+    for (std::size_t i = 0; i < r.size(); ++i) visit(PlanEdge{r[i], r[(i + 1) % r.size()]});
+  };
+  ring(polygon.outer);
+  for (const auto& hole : polygon.holes) ring(hole);
+}
+
+std::vector<PlanEdge> facade_edges(const City& city) {
+  std::vector<PlanEdge> edges;
+  for (const auto& border : city.borders)
+    if (border.kind == BorderKind::facade)
+      for (std::size_t k = 0; k + 1 < border.line.size(); ++k) edges.push_back({border.line[k + 1], border.line[k]});
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+void update_side_walls(City& city) {
+  const auto facades = facade_edges(city);
+  std::vector<std::pair<PlanEdge, double>> eaves;  // of houses on the ground, by edge
+  for (const auto& b : city.buildings)
+    if (b.base_m <= 0) visit_edges(b.footprint, [&](PlanEdge e) { eaves.emplace_back(e, b.eave_m); });
+  std::sort(eaves.begin(), eaves.end());
+  for (auto& b : city.buildings) {
+    if (b.base_m > 0) continue;  // the exporter draws all walls of what hangs in the air
+    std::vector<SideWall> walls;
+    visit_edges(b.footprint, [&](PlanEdge e) {
+      if (std::binary_search(facades.begin(), facades.end(), e)) return;
+      const PlanEdge twin{e.second, e.first};
+      double bottom = -1;
+      for (auto it = std::lower_bound(eaves.begin(), eaves.end(), std::pair(twin, -1.0));
+           it != eaves.end() && it->first == twin; ++it)
+        bottom = std::max(bottom, it->second);
+      if (bottom < 0)
+        for (const auto& wall : b.side_walls)
+          if (wall.a == e.first && wall.b == e.second && wall.bottom_m == 0) bottom = 0;
+      if (bottom >= 0 && bottom + kLeastWall_m < b.eave_m) walls.push_back({e.first, e.second, bottom});
+    });
+    b.side_walls = std::move(walls);
+  }
+}
+
+namespace {
+
+/// The roof stands on the walls where the top is known: what it rises less than asked, the walls rise more.
+void put_on(Building& b, const RoofWish& wish, BuiltRoof built, double asked_eave_m) {
+  b.roof_shape = name_of(built.form);
+  b.roof_source = built.rung == RoofRung::flat ? RoofSource::flat_fallback : wish.source;
+  double lift_m = 0;
+  if (b.height_source != HeightSource::levels || b.eave_m < b.height_m - 0.001)
+    lift_m = std::max(0.0, std::floor((b.height_m - top_of(built.roof)) * kMmPerMetre) / kMmPerMetre);
+  for (auto& p : built.roof.points) p.up += roof_steps(lift_m);
+  b.eave_m = asked_eave_m + lift_m;
+  b.height_m = top_of(built.roof);
+  b.roof = std::move(built.roof);
+}
+
+}  // namespace
+
+void roof_houses(City& city) {
+  const auto wishes = guess_roofs(city);
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    Building& b = city.buildings[i];
+    const RoofWish& wish = wishes[i];
+    double eave_m = b.height_m;
+    if (wish.request.form != RoofForm::flat) {
+      // Levels count storeys below the roof: it comes on top of them. Of other heights it is a part.
+      const bool is_on_top = b.height_source == HeightSource::levels && b.eave_m >= b.height_m - 0.001;
+      eave_m = is_on_top ? b.eave_m : std::max(b.height_m - wish.request.rise_m, b.base_m + 0.2);
+    }
+    eave_m = metres(lattice_mm(eave_m));
+    BuiltRoof built = build_roof(b.footprint, eave_m, wish.request);
+    if (built.rung == RoofRung::other_form || built.rung == RoofRung::flat)
+      city.issues.push_back({IssueCode::roof_flattened,
+                             std::string("No ") + name_of(wish.request.form) + " roof can be built here; " +
+                                 name_of(built.form) + " instead.",
+                             b.source_id, b.footprint.outer[0]});
+    put_on(b, wish, std::move(built), eave_m);
+  }
+  update_side_walls(city);
+}
+
+}  // namespace vicus
