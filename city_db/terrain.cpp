@@ -36,4 +36,21 @@ double height_m(const Terrain& t, PlanPoint at) {
   return std::lerp(south, north, y.share) / kMmPerMetre;
 }
 
+HeightRange height_range(const Terrain& t, const PlanBox& box) {
+  if (t.height_mm.empty()) return {};
+  assert(!box.is_empty() && t.step_mm > 0 && t.height_mm.size() == std::size_t{t.columns} * t.rows);
+  const Between west = between(std::int64_t{box.min.x} - t.corner.x, t.step_mm, t.columns);
+  const Between east = between(std::int64_t{box.max.x} - t.corner.x, t.step_mm, t.columns);
+  const Between south = between(std::int64_t{box.min.y} - t.corner.y, t.step_mm, t.rows);
+  const Between north = between(std::int64_t{box.max.y} - t.corner.y, t.step_mm, t.rows);
+  std::int32_t least = t.height_mm[south.node * t.columns + west.node], greatest = least;
+  for (std::size_t row = south.node; row <= north.next; ++row)
+    for (std::size_t column = west.node; column <= east.next; ++column) {
+      const std::int32_t height = t.height_mm[row * t.columns + column];
+      least = std::min(least, height);
+      greatest = std::max(greatest, height);
+    }
+  return {least / static_cast<double>(kMmPerMetre), greatest / static_cast<double>(kMmPerMetre)};
+}
+
 }  // namespace vicus

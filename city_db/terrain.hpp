@@ -10,4 +10,11 @@ namespace vicus {
 /// Exact   at every node; elsewhere continuous, between the least and the greatest height of the four nodes around.
 double height_m(const Terrain& terrain, PlanPoint at);
 
+struct HeightRange {
+  double least_m = 0, greatest_m = 0;
+};
+/// Bounds of height_m within the box: the least and the greatest node of all cells that it touches.
+/// Needs   as height_m; box not empty.
+HeightRange height_range(const Terrain& terrain, const PlanBox& box);
+
 }  // namespace vicus

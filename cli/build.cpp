@@ -80,6 +80,9 @@ std::optional<City> previous_city(const Arguments& arguments, const Context& con
     if (!arguments.fresh_ids) return city;
   } catch (const OtherVersionError& error) {
     if (!context.quiet) std::fprintf(stderr, "%s\nit is replaced; its sector ids are not kept\n", error.what());
+  } catch (const CityError& error) {
+    throw CityError(std::string(error.what()) + "\nto build under this name all the same, remove the file first",
+                    error.exit_code);
   }
   return std::nullopt;
 }

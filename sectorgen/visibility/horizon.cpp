@@ -10,7 +10,10 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kStepCells = 2;      // a grid's radius is four cells or more: no roof that counts is stepped over
 constexpr double kStepShare = 0.006;  // far away steps grow with the width of a bin
-constexpr double kRounding = 1e-6;    // of a rise, of a metre: against doing sums in floats
+constexpr double kPastTile_m = 1e-3;
+constexpr double kAskTiles_m = 16;  // where a roof may rise: so far on, the tiles are asked again
+constexpr float kNoRise = -1e3F;    // of where no roof is: lower than any line falls that counts
+constexpr double kRounding = 1e-6;  // of a rise, of a metre: against doing sums in floats
 
 double distance_to_segment(Spot p, Spot a, Spot b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -20,8 +23,9 @@ double distance_to_segment(Spot p, Spot a, Spot b) {
 
 }  // namespace
 
-void Horizon::start(Spot centre, double radius, std::uint32_t bins) {
+void Horizon::start(Spot centre, double radius, double eye_m, std::uint32_t bins) {
   centre_ = centre;
+  eye_m_ = eye_m;
   radius_ = radius;
   half_width_ = kTurn / 2 / bins;
   if (bins_.size() != bins) {
@@ -34,21 +38,30 @@ void Horizon::start(Spot centre, double radius, std::uint32_t bins) {
   ++stamp_;
 }
 
-bool Horizon::hides_disc(Spot centre, double radius, double top_m) {
+/// The greatest rise of a line from an eye to something at the distances given. Downwards, a line to a roof passes
+/// above the wall before it: at distance d by depth / (d + depth) of its fall.
+double Horizon::rise_of(double top_m, double depth_m, double nearest, double farthest) const {
+  const double height = top_m - eye_m_, to_wall = nearest - radius_;
+  return height >= 0 ? height / nearest : height * to_wall / ((to_wall + depth_m) * farthest);
+}
+
+bool Horizon::hides_disc(Spot centre, double radius, double top_m, double depth_m) {
   const double dx = centre.x - centre_.x, dy = centre.y - centre_.y, distance = std::hypot(dx, dy);
   const double nearest = distance - radius;
   if (nearest <= radius_) return false;
   const double angle = std::atan2(dy, dx), half = std::asin(radius / distance);
-  return hides_bins(angle - half, angle + half, nearest, (top_m - kEyeTop_m) / nearest);
+  return hides_bins(angle - half, angle + half, nearest, rise_of(top_m, depth_m, nearest, distance + radius));
 }
 
-bool Horizon::hides_segment(Spot a, Spot b, double top_m) {
+bool Horizon::hides_segment(Spot a, Spot b, double top_m, double depth_m) {
   const double nearest = distance_to_segment(centre_, a, b);
   if (nearest <= radius_) return false;
+  const double farthest =
+      std::max(std::hypot(a.x - centre_.x, a.y - centre_.y), std::hypot(b.x - centre_.x, b.y - centre_.y));
+  const double rise = rise_of(top_m, depth_m, nearest, farthest);
   const double first = std::atan2(a.y - centre_.y, a.x - centre_.x);
   double sweep = std::remainder(std::atan2(b.y - centre_.y, b.x - centre_.x) - first, kTurn);
-  return sweep < 0 ? hides_bins(first + sweep, first, nearest, (top_m - kEyeTop_m) / nearest)
-                   : hides_bins(first, first + sweep, nearest, (top_m - kEyeTop_m) / nearest);
+  return sweep < 0 ? hides_bins(first + sweep, first, nearest, rise) : hides_bins(first, first + sweep, nearest, rise);
 }
 
 bool Horizon::hides_bins(double first_angle, double last_angle, double distance, double rise) {
@@ -57,7 +70,7 @@ bool Horizon::hides_bins(double first_angle, double last_angle, double distance,
   const auto first = static_cast<std::int64_t>(std::floor((first_angle - kRounding) / per_bin));
   const auto last = static_cast<std::int64_t>(std::floor((last_angle + kRounding) / per_bin));
   const auto least_distance = static_cast<float>(distance * (1 - kRounding));
-  const auto most_rise = static_cast<float>(rise * (1 + kRounding) + kRounding);
+  const auto most_rise = static_cast<float>(rise + (std::abs(rise) + 1) * kRounding);
   for (std::int64_t i = first; i <= last; ++i)
     if (!hides(static_cast<std::uint32_t>(((i % bins) + bins) % bins), least_distance, most_rise)) return false;
   return true;
@@ -85,20 +98,32 @@ bool Horizon::hides(std::uint32_t bin_index, float distance, float rise) {
 /// Goes on until a roof rises as asked, the distance is reached or the field ends.
 void Horizon::follow(std::uint32_t bin_index, Bin& bin, float distance, float rise) {
   const Spot direction = directions_[bin_index];
-  float best = bin.steps > 0 ? bin.step[bin.steps - 1].rise : 0;
-  double at = bin.followed;
+  float best = bin.steps > 0 ? bin.step[bin.steps - 1].rise : kNoRise;
+  double at = bin.followed, tile_end = at;
   const WornGrid* grid = nullptr;
   while (at < static_cast<double>(distance) && best < rise) {
     const Spot x{centre_.x + at * direction.x, centre_.y + at * direction.y};
     const double radius = radius_ + at * half_width_ * (1 + kRounding);
     if (grid == nullptr || radius > grid->radius_m) grid = field_.grid_for(radius);
-    if (grid == nullptr || field_.is_left_for_good(x, direction)) {
+    if (grid == nullptr || field_.is_left_for_good(x, direction) ||
+        (best >= 0 && eye_m_ + best * at >= field_.ceiling())) {
       bin.is_ended = true;
       break;
     }
-    const auto here = static_cast<float>((field_.sure_height(*grid, x) - kEyeTop_m) / at * (1 - kRounding));
-    if (here > best) {
+    if (at >= tile_end) {
+      // A line that rises gets no lower on the way; one that falls is at its lowest where the question ends.
+      const double way = field_.clear_way(x, direction, eye_m_ + double{best} * (best >= 0 ? at : double{distance}));
+      if (way > 0) {
+        at += way + kPastTile_m;
+        continue;
+      }
+      tile_end = at + kAskTiles_m;
+    }
+    const double rise_here = (field_.sure_height(*grid, x) - eye_m_) / at;
+    const auto here = static_cast<float>(rise_here - std::abs(rise_here) * kRounding);
+    if (here > best && here > kNoRise / 2) {
       best = here;
+      tile_end = at;
       if (bin.steps == bin.step.size()) --bin.steps;  // the last one gives way: less is known between the two
       bin.step[bin.steps++] = {static_cast<float>(at * (1 + kRounding)), here};
     }

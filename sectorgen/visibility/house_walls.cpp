@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "city_db/terrain.hpp"
+
 namespace vicus {
 namespace {
 
@@ -20,11 +22,19 @@ double distance2_to(const HouseWall& w, Spot p) {
   return ex * ex + ey * ey;
 }
 
+<<<<<<< HEAD
 /// Surely filled up to the eave; nothing reaches above the ridge, and that is over the footprint: a line to it passes a
 /// wall of the house lower than the ridge, so walls up to there stand for it as targets.
 HouseBody body_of(const Building& b) {
+=======
+/// The roof that is drawn is at the eave where that is known; the ridge may be higher, never lower.
+HouseBody body_of(const Building& b, const Terrain& terrain) {
+>>>>>>> vis
   const double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m;
-  return {b.base_m, eave, std::max(b.eave_m, b.height_m), 0, 0};
+  PlanBox box;
+  for (const PlanPoint p : b.footprint.outer) box.add(p);
+  const HeightRange ground = box.is_empty() ? HeightRange{} : height_range(terrain, box);
+  return {b.base_m, ground.least_m + eave, ground.greatest_m + std::max(b.eave_m, b.height_m), ground.greatest_m, 0, 0};
 }
 
 }  // namespace
@@ -38,13 +48,13 @@ HouseWalls::HouseWalls(const City& city) {
   PlanBox box;
   for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
     const Building& building = city.buildings[h];
-    HouseBody body = body_of(building);
+    HouseBody body = body_of(building, city.terrain);
     body.first_wall = static_cast<std::uint32_t>(walls_.size());
     const auto add = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
         sides.push_back({a, b, static_cast<std::uint32_t>(walls_.size())});
-        walls_.push_back({spot_of(a), spot_of(b), h, 0});
+        walls_.push_back({spot_of(a), spot_of(b), h, kNoRoof_m});
         box.add(a);
       }
     };
@@ -62,7 +72,7 @@ HouseWalls::HouseWalls(const City& city) {
     for (; twin != sides.end() && twin->a == side.b && twin->b == side.a; ++twin)
       if (const HouseBody& other = houses_[walls_[twin->wall].house]; other.stands())
         walls_[side.wall].beyond_m =
-            std::max(walls_[side.wall].beyond_m, std::nextafter(static_cast<float>(other.sure_top_m), 0.0F));
+            std::max(walls_[side.wall].beyond_m, std::nextafter(static_cast<float>(other.sure_top_m), kNoRoof_m));
   }
   if (box.is_empty()) box.add({0, 0});
   left_ = metres(box.min.x) - 1;

@@ -15,16 +15,21 @@ struct Spot {
 };
 inline Spot spot_of(PlanPoint p) { return {metres(p.x), metres(p.y)}; }
 
+/// A height below everything: there is no roof.
+inline constexpr float kNoRoof_m = -1e6F;
+
 /// One edge of a footprint, house on the left.
 struct HouseWall {
   Spot a, b;
   std::uint32_t house = 0;
-  float beyond_m = 0;  ///< sure height of the house on the other side; 0: none
+  float beyond_m = kNoRoof_m;  ///< sure top of the house on the other side
 };
 
-/// A house that stands on the ground fills at least its footprint up to sure_top_m and never reaches above most_top_m.
+/// A house that stands on the ground fills at least its footprint up to sure_top_m and never reaches above most_top_m,
+/// wherever between the least and the greatest height of the ground below it its own 0 is. Tops in the plan frame's
+/// height; base_m above the ground.
 struct HouseBody {
-  double base_m = 0, sure_top_m = 0, most_top_m = 0;
+  double base_m = 0, sure_top_m = 0, most_top_m = 0, most_ground_m = 0;
   std::uint32_t first_wall = 0, last_wall = 0;
   bool stands() const { return base_m <= 0; }
 };

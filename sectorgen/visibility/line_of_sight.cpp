@@ -171,6 +171,8 @@ class Search {
   std::uint32_t enter(std::uint32_t side) {
     const SightCell& cell = map_.cells[side >> 2];
     const std::uint32_t s = side & 3;
+    // Back in the sector: what leaves it again is in the bundle that begins at the side by which it leaves.
+    if (cell.sector == source_) return kNowhere;
     if (cell.sector != kNowhere) mark(cell.sector);
     const PlanPoint apex = cell.corner[s];
     const std::uint32_t to_right = cell.beyond[s == 2 ? 0 : s + 1], to_left = cell.beyond[s == 0 ? 2 : s - 1];
@@ -199,6 +201,7 @@ class Search {
       const SightCell& cell = map_.cells[line_queue_.back()];
       line_queue_.pop_back();
       ++steps_;
+      if (cell.sector == source_) continue;
       if (cell.sector != kNowhere) mark(cell.sector);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = cell.beyond[k];

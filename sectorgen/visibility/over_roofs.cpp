@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "city_db/run_parallel.hpp"
+#include "city_db/terrain.hpp"
 #include "sectorgen/visibility/horizon.hpp"
 #include "sectorgen/visibility/roof_targets.hpp"
 
@@ -23,13 +24,13 @@ struct Region {
   Spot a, b;                      // of a segment
   std::uint32_t node = kNowhere;  // an inner node; else a segment
   std::uint32_t segment = kNowhere, house = kNowhere;
-  double top_m = 0;
+  double top_m = 0, depth_m = 0;
   bool is_segment() const { return node == kNowhere; }
 };
 
 Region region_of(const SegmentTree& tree, std::uint32_t node) {
   const SegmentNode& n = tree.nodes[node];
-  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.top_m};
+  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.top_m, n.depth_m};
   if (n.segment != kNowhere) {
     region.node = kNowhere;
     region.a = tree.segments[n.segment].a;
@@ -58,6 +59,19 @@ Spot beside(const Region& segment, double left_m) {
   return {segment.centre.x - dy / length * left_m, segment.centre.y + dx / length * left_m};
 }
 
+double highest_ground(const Sector& sector, const Terrain& terrain) {
+  if (terrain.height_mm.empty()) return 0;
+  std::vector<PlanPoint> points = sector.ground.outer;
+  for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
+  double highest = kNoRoof_m;
+  for (std::size_t i = 0; i + 2 < sector.ground_triangles.size(); i += 3) {
+    PlanBox box;
+    for (std::size_t k = i; k < i + 3; ++k) box.add(points[sector.ground_triangles[k]]);
+    highest = std::max(highest, height_range(terrain, box).greatest_m);
+  }
+  return highest;
+}
+
 enum class State : char { unknown, open, known };  // known: proven visible, or in sight on the level
 
 /// What was spent on a showing from one sector.
@@ -74,7 +88,8 @@ struct Part {
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
-      : walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
+      : terrain(city.terrain), walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
+  const Terrain& terrain;
   HouseWalls walls;
   RoofField field;
   RoofTargets targets;
@@ -100,6 +115,7 @@ class Explorer {
     std::fill(effort_.begin(), effort_.end(), Effort{});
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
     rim_ = rim_of(city.sectors[sector]);
+    eye_m_ = highest_ground(city.sectors[sector], scene_.terrain) + kEyeTop_m;
     parts_.clear();
     pairs_ = 0;
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
@@ -166,7 +182,7 @@ class Explorer {
   }
 
   void start_horizon(const Region& eyes) {
-    horizon_.start(eyes.centre, eyes.radius, eyes.radius > kManyBinsBelow_m ? kFewBins : kManyBins);
+    horizon_.start(eyes.centre, eyes.radius, eye_m_, eyes.radius > kManyBinsBelow_m ? kFewBins : kManyBins);
     ++horizons;
   }
 
@@ -179,7 +195,7 @@ class Explorer {
     }
     if (n.house != kNowhere && state_of(region_of(scene_.targets.tree, node)) == State::known) return;
     ++tests;
-    if (horizon_.hides_disc(n.centre, n.radius, n.top_m)) return;
+    if (horizon_.hides_disc(n.centre, n.radius, n.top_m, n.depth_m)) return;
     search(eyes, n.left, seen);
     search(eyes, n.right, seen);
   }
@@ -189,7 +205,7 @@ class Explorer {
     const Region wall = region_of(scene_.targets.tree, node);
     if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
     ++tests;
-    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m)) return false;
+    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m, wall.depth_m)) return false;
     if (!eyes.is_segment() || !is_seen(eyes, wall)) return true;
     set_state(wall, State::known);
     return false;
@@ -273,15 +289,27 @@ class Explorer {
     return false;
   }
 
+  /// How far above the eyes lines to the target may end; to roofs, where they pass the wall: see Horizon.
+  double rise_between(const Region& eyes, const Region& target) const {
+    const double rise = target.top_m - eye_m_;
+    if (rise >= 0) return rise;
+    const double to_wall =
+        std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y) - eyes.radius - target.radius;
+    return rise * to_wall / (to_wall + target.depth_m);
+  }
+
   bool blocks(const Region& eyes, const Region& target, const Crossing& crossing) const {
     const HouseBody& body = scene_.walls.houses()[crossing.house];
-    const double rise = target.top_m - kEyeTop_m;
-    if (!body.stands() || body.sure_top_m < kEyeTop_m + rise * crossing.from) return false;
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    const double rise = rise_between(eyes, target);
+    if (!body.stands() || body.sure_top_m < eye_m_ + rise * (rise >= 0 ? crossing.from : crossing.to)) return false;
     double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
     for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
-      const double up = kEyeTop_m + rise * t;
-      if (body.sure_top_m < up) return false;
+      const double up = eye_m_ + rise * t;
+      if (body.sure_top_m < up) {
+        if (rise >= 0) return false;
+        continue;
+      }
       const Spot x{eyes.centre.x + t * (target.centre.x - eyes.centre.x),
                    eyes.centre.y + t * (target.centre.y - eyes.centre.y)};
       if (scene_.walls.is_roofed(x, (1 - t) * eyes.radius + t * target.radius, crossing.house, up)) return true;
@@ -293,15 +321,33 @@ class Explorer {
   bool is_seen(const Region& eyes, const Region& target) {
     if (++effort_of(target).rays > options_.most_rays) return false;
     ++rays;
-    return scene_.walls.is_clear(beside(eyes, kInset_m), kEyeTop_m, beside(target, -kInset_m),
-                                 scene_.walls.houses()[target.house].sure_top_m - kInset_m);
+    const Spot p = beside(eyes, kInset_m), q = beside(target, -kInset_m);
+    const double p_up = ground_at(p) + kEyeTop_m, q_up = scene_.walls.houses()[target.house].sure_top_m - kInset_m;
+    return scene_.walls.is_clear(p, p_up, q, q_up) && is_above_ground(p, p_up, q, q_up);
+  }
+
+  double ground_at(Spot x) const {
+    if (scene_.terrain.height_mm.empty()) return 0;
+    const auto mm = [](double m) { return static_cast<std::int32_t>(std::lround(m * kMmPerMetre)); };
+    return height_m(scene_.terrain, {mm(x.x), mm(x.y)});
+  }
+
+  /// Asked at each half step of the terrain: only what is called proven depends on it.
+  bool is_above_ground(Spot p, double p_up, Spot q, double q_up) const {
+    if (scene_.terrain.height_mm.empty()) return true;
+    const double steps = std::ceil(std::hypot(q.x - p.x, q.y - p.y) / metres(scene_.terrain.step_mm) * 2);
+    for (double i = 1; i < steps; ++i)
+      if (p_up + (q_up - p_up) * i / steps <
+          ground_at({std::lerp(p.x, q.x, i / steps), std::lerp(p.y, q.y, i / steps)}))
+        return false;
+    return true;
   }
 
   const Scene& scene_;
   const RoofOptions& options_;
   Horizon horizon_;
   std::vector<Part> parts_, close_parts_;
-  double least_m_ = 0;
+  double least_m_ = 0, eye_m_ = 0;
   std::uint32_t pairs_ = 0;  // from this sector
   bool is_last_round_ = false;
   SegmentTree rim_;

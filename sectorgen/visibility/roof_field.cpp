@@ -7,14 +7,11 @@ namespace vicus {
 namespace {
 
 constexpr double kDoubt_m = 0.001;
+constexpr double kFullHeight_m = 127;  // of houses above the highest ground; what is higher counts as so high
 /// Times the finest cell; a cell of each grid is at most a quarter of its radius.
 constexpr double kRadii[] = {1.1, 1.6, 2.2, 3.2, 4.4, 6.2, 8.8, 12.5, 17.5, 25};
 
 using Heights = std::vector<std::uint8_t>;
-
-std::uint8_t step_below(double height_m) {
-  return static_cast<std::uint8_t>(std::clamp(std::floor(height_m / kHeightStep_m), 0.0, 255.0));
-}
 
 /// The least of each value and of all cells within `radius` cells of any point of it; beyond the rim is ground.
 Heights worn(const Heights& from, std::int64_t columns, std::int64_t rows, double radius) {
@@ -112,7 +109,40 @@ RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
   while ((right_ - left_) / cell * ((top_ - bottom_) / cell) > static_cast<double>(most_cells)) cell *= 2;
   const auto columns = static_cast<std::int64_t>((right_ - left_) / cell) + 1;
   const auto rows = static_cast<std::int64_t>((top_ - bottom_) / cell) + 1;
+  // Flat ground: base 0. On slopes from the lowest roof up, in coarser steps where 255 of them would not do.
+  double least_m = 0, most_m = 0;
+  for (const auto& house : houses.houses()) {
+    least_m = std::min(least_m, house.sure_top_m);
+    most_m = std::max(most_m, house.most_ground_m + kFullHeight_m);
+  }
+  base_m_ = std::floor(least_m) - (least_m < 0 ? 1 : 0);
+  step_m_ = std::max(kHeightStep_m, (most_m - base_m_) / 255);
   const Heights heights = draw(houses, cell, columns, rows);
+  tile_columns_ = static_cast<std::size_t>((right_ - left_) / kTile_m) + 1;
+  tile_rows_ = static_cast<std::size_t>((top_ - bottom_) / kTile_m) + 1;
+  tiles_.assign(tile_columns_ * tile_rows_, 0);
+  const auto tile_cells = static_cast<std::int64_t>(kTile_m / cell);
+  for (std::int64_t row = 0; row < rows; ++row)
+    for (std::int64_t column = 0; column < columns; ++column) {
+      const std::uint8_t height = heights[static_cast<std::size_t>(row * columns + column)];
+      // A coarse cell may lie in several tiles.
+      const auto last = [&](std::int64_t at, std::size_t most) {
+        return std::min(most - 1, static_cast<std::size_t>(static_cast<double>(at + 1) * cell / kTile_m));
+      };
+      if (height == 0) continue;
+      ceiling_ = std::max(ceiling_, height);
+      if (tile_cells > 0) {
+        std::uint8_t& tile = tiles_[static_cast<std::size_t>(row / tile_cells) * tile_columns_ +
+                                    static_cast<std::size_t>(column / tile_cells)];
+        tile = std::max(tile, height);
+        continue;
+      }
+      for (auto r = static_cast<std::size_t>(static_cast<double>(row) * cell / kTile_m); r <= last(row, tile_rows_);
+           ++r)
+        for (auto c = static_cast<std::size_t>(static_cast<double>(column) * cell / kTile_m);
+             c <= last(column, tile_columns_); ++c)
+          tiles_[r * tile_columns_ + c] = std::max(tiles_[r * tile_columns_ + c], height);
+    }
   for (const double radius : kRadii) {
     Plane plane{cell, columns, rows, worn(heights, columns, rows, radius)};
     while (plane.cell_m * 8 <= radius * cell) plane = halved(plane);

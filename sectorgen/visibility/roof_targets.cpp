@@ -6,6 +6,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "sectorgen/geom/polygon.hpp"
+
 namespace vicus {
 namespace {
 
@@ -31,6 +33,13 @@ std::vector<FacadeEdge> facade_edges(const City& city, const std::unordered_map<
   return edges;
 }
 
+/// No two points of the house are farther apart.
+double depth_of(const Building& building) {
+  PlanBox box;
+  for (const PlanPoint p : building.footprint.outer) box.add(p);
+  return metres(length_mm(box.min, box.max)) + 0.001;
+}
+
 }  // namespace
 
 SegmentNode disc_around(const Segment* first, const Segment* last) {
@@ -48,16 +57,18 @@ SegmentNode disc_around(const Segment* first, const Segment* last) {
   return node;
 }
 
-std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, std::uint32_t house) {
+std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, double depth_m,
+                        std::uint32_t house) {
   SegmentNode node = disc_around(&tree.segments[first], &tree.segments[0] + last);
   node.top_m = top_m;
+  node.depth_m = depth_m;
   node.house = house;
   if (last - first == 1) {
     node.segment = first;
   } else {
     const std::uint32_t middle = first + (last - first) / 2;
-    node.left = add_chain(tree, first, middle, top_m, house);
-    node.right = add_chain(tree, middle, last, top_m, house);
+    node.left = add_chain(tree, first, middle, top_m, depth_m, house);
+    node.right = add_chain(tree, middle, last, top_m, depth_m, house);
   }
   tree.nodes.push_back(node);
   return static_cast<std::uint32_t>(tree.nodes.size() - 1);
@@ -84,6 +95,7 @@ std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots) {
     node.right = self(self, middle, last);
     const SegmentNode &l = tree.nodes[node.left], &r = tree.nodes[node.right];
     node.top_m = std::max(l.top_m, r.top_m);
+    node.depth_m = std::max(l.depth_m, r.depth_m);
     // The smallest disc around two discs.
     const double dx = r.centre.x - l.centre.x, dy = r.centre.y - l.centre.y, apart = std::hypot(dx, dy);
     if (apart + r.radius <= l.radius) {
@@ -106,11 +118,12 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
   for (std::uint32_t s = 0; s < city.sectors.size(); ++s) sectors.emplace(city.sectors[s].id, s);
   const std::vector<FacadeEdge> facades = facade_edges(city, sectors);
   RoofTargets targets;
+  const bool is_flat = city.terrain.height_mm.empty();
   std::vector<std::uint32_t> roots;
   for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
     const Building& building = city.buildings[h];
     const HouseBody& body = walls.houses()[h];
-    const double top_m = std::max(body.most_top_m, kStopsSight_m);  // lines to it rise: see rim_of
+    const double top_m = std::max(body.most_top_m, body.most_ground_m + kStopsSight_m);  // above eyes on flat ground
     const auto first_showing = static_cast<std::uint32_t>(targets.showings.size());
     targets.first_of.push_back(first_showing);
     const auto showing_of = [&](std::uint32_t sector) {
@@ -126,7 +139,7 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
     const auto add = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i, ++wall) {
         const HouseWall& w = walls.walls()[wall];
-        if (w.beyond_m >= top_m) continue;
+        if (is_flat && w.beyond_m >= top_m) continue;
         const FacadeEdge key{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], h, 0};
         const auto found = std::lower_bound(facades.begin(), facades.end(), key,
                                             [](const auto& x, const auto& y) { return x.key() < y.key(); });
@@ -140,7 +153,8 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
     add(building.footprint.outer);
     for (const auto& hole : building.footprint.holes) add(hole);
     const auto last_segment = static_cast<std::uint32_t>(targets.tree.segments.size());
-    if (last_segment > first_segment) roots.push_back(add_chain(targets.tree, first_segment, last_segment, top_m, h));
+    if (last_segment > first_segment)
+      roots.push_back(add_chain(targets.tree, first_segment, last_segment, top_m, depth_of(building), h));
   }
   targets.first_of.push_back(static_cast<std::uint32_t>(targets.showings.size()));
   targets.tree.root = join_trees(targets.tree, roots);
@@ -155,7 +169,7 @@ SegmentTree rim_of(const Sector& sector) {
     for (std::size_t i = 0; i < ring.size(); ++i)
       tree.segments.push_back({spot_of(ring[i]), spot_of(ring[i + 1 == ring.size() ? 0 : i + 1])});
     const auto last = static_cast<std::uint32_t>(tree.segments.size());
-    roots.push_back(add_chain(tree, first, last, kEyeTop_m, kNowhere));
+    roots.push_back(add_chain(tree, first, last, 0, 0, kNowhere));
   };
   add(sector.ground.outer);
   for (const auto& hole : sector.ground.holes) add(hole);

@@ -17,6 +17,7 @@ struct Showing {
 struct SegmentNode {
   Spot centre;
   double radius = 0, top_m = 0;
+  double depth_m = 0;                               ///< of the houses whose walls these are, or more
   std::uint32_t left = kNowhere, right = kNowhere;  ///< children; kNowhere: a leaf
   std::uint32_t segment = kNowhere;                 ///< of a leaf
   std::uint32_t house = kNowhere;                   ///< all segments below are of this house
@@ -35,7 +36,8 @@ struct SegmentTree {
 /// The disc around some segments.
 SegmentNode disc_around(const Segment* first, const Segment* last);
 /// A tree over segments [first, last) in their order; returns its root.
-std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, std::uint32_t house);
+std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, double depth_m,
+                        std::uint32_t house);
 /// A tree over trees, split where they lie apart.
 std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots);
 
@@ -46,7 +48,7 @@ struct RoofTargets {
   std::vector<std::uint32_t> owner, facade;  ///< per segment: its showings; facade may be kNowhere
 };
 
-/// Walls that stand higher than what is behind them.
+/// Walls that stand higher than what is behind them; on slopes, where one looks down on roofs, all walls.
 /// Needs  `walls` of the same city.
 RoofTargets make_roof_targets(const City& city, const HouseWalls& walls);
 

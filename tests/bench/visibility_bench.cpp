@@ -1,13 +1,15 @@
 // Line of sight in plan: time, steps and size of the lists. Over roofs: CPU time against what stays unresolved, by how
 // far eyes and walls are told apart.
-// usage: [EVERY=n] [LEAST=m] visibility_bench INPUT...     a map; EVERY: over roofs each n-th sector only, LEAST: only
-//                                                          this least radius
+// usage: [EVERY=n] [LEAST=m] visibility_bench INPUT...     a map; EVERY: over roofs each n-th sector only
+//                                                          (0: none), LEAST: only this least radius
+//        visibility_bench city CITY.gpkg                   the same for a city file
 //        visibility_bench grid CROSSROADS NICHES           a jittered grid of streets, line of sight only
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
+#include "city_db/store.hpp"
 #include "sectorgen/visibility/line_of_sight.hpp"
 #include "sectorgen/visibility/over_roofs.hpp"
 #include "tests/support/built_city.hpp"
@@ -52,6 +54,11 @@ SightLists measure_level(const City& city) {
 void measure_roofs(const City& city, const SightLists& level, double least_m) {
   RoofOptions options;
   options.least_radius_m = least_m;
+  options.most_rays = static_cast<std::uint32_t>(number_from("RAYS", options.most_rays));
+  options.most_pairs = static_cast<std::uint32_t>(number_from("PAIRS", options.most_pairs));
+  options.most_sector_pairs = static_cast<std::uint32_t>(number_from("SPAIRS", options.most_sector_pairs));
+  options.first_radius_m = number_from("FIRST", options.first_radius_m);
+  options.pair_radius_m = number_from("PAIR", options.pair_radius_m);
   options.every = static_cast<std::uint32_t>(number_from("EVERY", 1));
   const double before = cpu_seconds();
   const RoofLists roofs = sights_over_roofs(city, level.visible, options);
@@ -85,11 +92,15 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (argc < 2) {
-    std::fprintf(stderr, "usage: visibility_bench INPUT... | visibility_bench grid CROSSROADS NICHES\n");
+    std::fprintf(stderr,
+                 "usage: visibility_bench INPUT... | visibility_bench city CITY.gpkg | visibility_bench grid "
+                 "CROSSROADS NICHES\n");
     return 2;
   }
-  const City city = test::city_of_files({argv + 1, argv + argc});
+  const bool is_built = argc == 3 && std::strcmp(argv[1], "city") == 0;
+  const City city = is_built ? read_city(argv[2]) : test::city_of_files({argv + 1, argv + argc});
   const SightLists level = measure_level(city);
+  if (number_from("EVERY", 1) < 1) return 0;
   if (const double only = number_from("LEAST", 0); only > 0) {
     measure_roofs(city, level, only);
     return 0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sectorgen/town/town.hpp"
 #include "sectorgen/visibility/visible.hpp"
@@ -32,6 +33,33 @@ TEST(Visibility, MissesNothingThatARaySeesInTownsWithTowers) {
     City city = random_town_city(seed);
     for (std::size_t i = 0; i < city.buildings.size(); i += 11)
       city.buildings[i].height_m = city.buildings[i].eave_m = 45;
+    expect_nothing_missing(std::move(city), 400'000, seed);
+  }
+}
+
+TEST(Visibility, MissesNoHouseThatARaySeesInTownsOnSlopes) {
+  for (const std::uint64_t seed : seeds(1, 6)) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    City city = random_town_city(seed);
+    PlanBox box;
+    for (const auto& s : city.sectors)
+      for (const PlanPoint p : s.ground.outer) box.add(p);
+    // A hill beside a slope, up to some 60 m; nodes every 10 m.
+    constexpr std::int32_t kStep_mm = 10'000;
+    Terrain& t = city.terrain;
+    t = {box.min,
+         kStep_mm,
+         static_cast<std::uint32_t>((box.max.x - box.min.x) / kStep_mm + 2),
+         static_cast<std::uint32_t>((box.max.y - box.min.y) / kStep_mm + 2),
+         {}};
+    for (std::uint32_t row = 0; row < t.rows; ++row)
+      for (std::uint32_t column = 0; column < t.columns; ++column) {
+        const double x = static_cast<double>(column) / t.columns - 0.3, y = static_cast<double>(row) / t.rows - 0.6;
+        t.height_mm.push_back(
+            static_cast<std::int32_t>(1000 * (30 * std::exp(-12 * (x * x + y * y)) + 30 * x - 10 * y)));
+      }
+    for (std::size_t i = 0; i < city.buildings.size(); i += 11)
+      city.buildings[i].height_m = city.buildings[i].eave_m = 30;
     expect_nothing_missing(std::move(city), 400'000, seed);
   }
 }

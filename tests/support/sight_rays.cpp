@@ -12,12 +12,14 @@
 #include <unordered_map>
 
 #include "city_db/run_parallel.hpp"
+#include "city_db/terrain.hpp"
 
 namespace vicus::test {
 namespace {
 
 constexpr std::uint32_t kNobody = 0xffffffffu;
 constexpr float kInset_m = 0.02F;
+constexpr double kDeep_m = -1000;
 constexpr double kStops_m = 2.5;  // walls that stop sight are in the scene, but nobody's
 
 /// What a triangle belongs to.
@@ -37,11 +39,13 @@ class Scene {
     for (std::uint32_t h = 0; h < city.buildings.size(); ++h) houses_.emplace(city.buildings[h].id, h);
     for (const auto& s : city.sectors)
       for (const PlanPoint p : s.ground.outer) box_.add(p);
-    for (std::uint32_t s = 0; s < city.sectors.size(); ++s) add_ground(s);
+    is_flat_ = city.terrain.height_mm.empty();
+    for (std::uint32_t s = 0; is_flat_ && s < city.sectors.size(); ++s) add_ground(s);
     facades();
     for (std::uint32_t h = 0; h < city.buildings.size(); ++h) add_house(h);
     for (const auto& o : city.obstacles)
-      if (o.height_m > kStops_m) add_walls(o.area, 0, o.height_m, [](PlanPoint, PlanPoint) { return Owner{}; });
+      if (is_flat_ && o.height_m > kStops_m)
+        add_walls(o.area, 0, o.height_m, [](PlanPoint, PlanPoint) { return Owner{}; });
     device_ = rtcNewDevice("threads=1");
     scene_ = rtcNewScene(device_);
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
@@ -69,6 +73,17 @@ class Scene {
   RTCScene scene() const { return scene_; }
   Owner owner(std::uint32_t triangle) const { return owners_[triangle]; }
   double x_of(PlanPoint p) const { return metres(std::int64_t{p.x} - middle().x); }
+  /// The height of the house's own 0.
+  double zero_of(const Building& b) const {
+    const auto& ring = b.footprint.outer;
+    return height_m(city_.terrain, ring[ring.size() / 2]);
+  }
+  double ground_at(double x, double y) const {
+    const auto mm = [](double m, std::int32_t from) {
+      return from + static_cast<std::int32_t>(std::lround(m * kMmPerMetre));
+    };
+    return height_m(city_.terrain, {mm(x, middle().x), mm(y, middle().y)});
+  }
   double y_of(PlanPoint p) const { return metres(std::int64_t{p.y} - middle().y); }
 
  private:
@@ -90,9 +105,9 @@ class Scene {
       owners_.push_back(owner);
     }
   }
-  void add_roof(const Roof& roof, Owner owner) {
+  void add_roof(const Roof& roof, double zero_m, Owner owner) {
     std::vector<std::uint32_t> at;
-    for (const auto& p : roof.points) at.push_back(add_point(p.at, p.up / kRoofStepsPerMetre));
+    for (const auto& p : roof.points) at.push_back(add_point(p.at, zero_m + p.up / kRoofStepsPerMetre));
     for (const auto& facet : roof.facets)
       for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
         triangles_.push_back({at[facet.triangles[i]], at[facet.triangles[i + 1]], at[facet.triangles[i + 2]]});
@@ -127,15 +142,16 @@ class Scene {
     const Building& b = city_.buildings[h];
     const auto own = sectors_.find(b.sector_id);
     const std::uint32_t sector = own == sectors_.end() ? kNobody : own->second;
-    const double top = b.eave_m > b.base_m ? b.eave_m : b.height_m;  // as it is drawn
-    add_roof(b.roof, {sector, h});
-    add_walls(b.footprint, b.base_m, top, [&](PlanPoint from, PlanPoint to) {
+    const double zero = zero_of(b), top = zero + (b.eave_m > b.base_m ? b.eave_m : b.height_m);  // as it is drawn
+    add_roof(b.roof, zero, {sector, h});
+    add_walls(b.footprint, is_flat_ ? b.base_m : kDeep_m, top, [&](PlanPoint from, PlanPoint to) {
       const auto facade = facade_.find({h, {from, to}});
       return Owner{facade == facade_.end() ? sector : facade->second, h};
     });
   }
 
   const City& city_;
+  bool is_flat_ = true;
   PlanBox box_;
   std::unordered_map<std::string, std::uint32_t> sectors_, houses_;
   std::map<std::pair<std::uint32_t, std::pair<PlanPoint, PlanPoint>>, std::uint32_t> facade_;
@@ -175,6 +191,11 @@ class Promise {
   std::vector<std::set<std::pair<std::uint32_t, std::uint32_t>>> showing_;
 };
 
+bool is_level(const City& city) {
+  const auto made = city.meta.find("over_roofs");
+  return made != city.meta.end() && made->second == "no";
+}
+
 struct Vec {
   float x, y, z;
 };
@@ -182,9 +203,9 @@ struct Vec {
 class Shooter {
  public:
   Shooter(const City& city, const Scene& scene, const Promise& promise, std::uint64_t seed)
-      : city_(city), scene_(scene), promise_(promise), random_(seed) {
+      : city_(city), scene_(scene), promise_(promise), is_level_(is_level(city)), random_(seed) {
     for (std::uint32_t h = 0; h < city.buildings.size(); ++h)
-      if (city.buildings[h].height_m > 2 * kStops_m) aims_.push_back(h);
+      if (city.buildings[h].height_m > kStops_m * (is_level_ ? 1 : 2)) aims_.push_back(h);
   }
 
   /// Packets from one eye in the sector.
@@ -228,6 +249,7 @@ class Shooter {
     if (m < 2 * kInset_m) return false;
     eye.x += mx / m * kInset_m;
     eye.y += my / m * kInset_m;
+    eye.z += static_cast<float>(scene_.ground_at(eye.x, eye.y));
     return true;
   }
 
@@ -238,12 +260,14 @@ class Shooter {
     const float at = share();
     const float x = static_cast<float>(scene_.x_of(a) + at * (scene_.x_of(b) - scene_.x_of(a)));
     const float y = static_cast<float>(scene_.y_of(a) + at * (scene_.y_of(b) - scene_.y_of(a)));
-    const double top = house.eave_m > house.base_m ? house.eave_m : house.height_m;
-    const float up = static_cast<float>(top) * (1 - 0.3F * share() * share()) - 0.01F;
+    if (is_level_) return {x - eye.x, y - eye.y, -eye.z * share() * share()};
+    const double top = scene_.zero_of(house) + (house.eave_m > house.base_m ? house.eave_m : house.height_m);
+    const float up = static_cast<float>(top - 0.3 * house.height_m * share() * share()) - 0.01F;
     return {x - eye.x, y - eye.y, up - eye.z};
   }
   Vec around(float turn) {
-    const float angle = turn + 0.1F * share(), rise = std::tan(-0.15F + 0.6F * share() * share());
+    const float angle = turn + 0.1F * share(),
+                rise = is_level_ ? -0.15F * share() * share() : std::tan(-0.15F + 0.6F * share() * share());
     return {std::cos(angle), std::sin(angle), rise};
   }
 
@@ -303,6 +327,7 @@ class Shooter {
   const City& city_;
   const Scene& scene_;
   const Promise& promise_;
+  bool is_level_;
   std::mt19937_64 random_;
   std::vector<std::uint32_t> aims_;
 };

@@ -20,8 +20,12 @@ struct RayReport {
 /// else the house's own), a roof (the house's own sector), or a sector's ground. A pair whose reason is over_roofs must
 /// name the house.
 ///
+/// Where the lists over roofs were not made (meta over_roofs), no ray rises: it then sees nothing over what stops a
+/// level look. With a terrain each house's own 0 is the ground's height at one of its corners, houses reach down for
+/// ever, and neither the ground nor walls stop a ray: rays see more than eyes do, and what they meet is houses only.
+///
 /// Frame   each eye's own: 32-bit floats hold under 0.1 mm within 1 km.
-/// Needs   City::visible, flat ground.
+/// Needs   City::visible.
 RayReport shoot_rays(const City& city, std::uint64_t rays, std::uint64_t seed, unsigned threads = 0);
 
 }  // namespace vicus::test

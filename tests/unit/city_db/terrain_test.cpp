@@ -35,6 +35,23 @@ TEST(TerrainHeight, BeyondTheRimIsAsAtTheRim) {
   EXPECT_DOUBLE_EQ(height_m(slope(), {99'000, 25'000}), 1.75);
 }
 
+TEST(TerrainHeight, LiesWithinTheRangeOfItsBox) {
+  Terrain terrain{{0, 0}, 5'000, 8, 6, {}};
+  for (std::int32_t i = 0; i < 48; ++i) terrain.height_mm.push_back(i * 7919 % 1000 * 20);
+  for (std::int32_t i = 0; i < 200; ++i) {
+    PlanBox box;
+    box.add({i * 331 % 50'000 - 6'000, i * 577 % 40'000 - 6'000});
+    box.add({box.min.x + i * 97 % 9'000, box.min.y + i * 61 % 9'000});
+    const HeightRange range = height_range(terrain, box);
+    for (std::int32_t k = 0; k <= 100; ++k) {
+      const double h = height_m(terrain, {box.min.x + (box.max.x - box.min.x) / 10 * (k % 10),
+                                          box.min.y + (box.max.y - box.min.y) / 10 * (k / 10)});
+      ASSERT_GE(h, range.least_m - 1e-9);
+      ASSERT_LE(h, range.greatest_m + 1e-9);
+    }
+  }
+}
+
 TEST(TerrainHeight, OfOneNodeIsThatEverywhere) {
   const Terrain t{{0, 0}, 5'000, 1, 1, {1234}};
   for (const PlanPoint p : {PlanPoint{0, 0}, {7'000, -9'000}, {-1, 1}}) EXPECT_EQ(height_m(t, p), 1.234);

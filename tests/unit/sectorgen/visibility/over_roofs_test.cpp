@@ -66,6 +66,45 @@ TEST(SightsOverRoofs, ListAHouseThatRisesAboveTheLineAndNoOther) {
   EXPECT_TRUE(tower->is_proven);
 }
 
+/// Ground that rises northwards: 0 up to y = 0, then by that much each 5 m.
+Terrain slope(double rise_per_5_m) {
+  Terrain terrain{{-310'000, -100'000}, 5'000, 150, 60, {}};
+  for (std::uint32_t row = 0; row < terrain.rows; ++row)
+    for (std::uint32_t column = 0; column < terrain.columns; ++column)
+      terrain.height_mm.push_back(static_cast<std::int32_t>(std::max(0.0, row - 20.0) * rise_per_5_m * 1000));
+  return terrain;
+}
+
+std::vector<RoofSight> seen_on(const Terrain& terrain, City city, std::uint32_t from) {
+  city.terrain = terrain;
+  for (auto& sector : city.sectors) sector.ground_triangles = {0, 1, 2, 0, 2, 3};
+  return sights_over_roofs(city, {{0}, {1}}, {}).visible[from];
+}
+
+TEST(SightsOverRoofs, ListAHouseThatStandsHigherUpASlope) {
+  const City city = two_rows(10, 10);
+  EXPECT_FALSE(lists(seen_on({}, city, 0), 1));
+  EXPECT_FALSE(lists(seen_on(slope(0.2), city, 0), 1)) << "too gentle: the second row ends 1.6 m above the first";
+  EXPECT_TRUE(lists(seen_on(slope(6), city, 0), 1)) << "the second row stands above the first one's roof";
+}
+
+TEST(SightsOverRoofs, ListARoofBelowThatIsLookedDownAt) {
+  // From the yard over the first row to a third one south of the street: hidden on the flat, far below on a slope.
+  City city = two_rows(10, 10);
+  city.buildings.push_back(house("third", box(0, -15'000, 100'000, 0), 6));
+  city.buildings[2].sector_id = "street";
+  EXPECT_FALSE(lists(seen_on({}, city, 1), 2));
+  EXPECT_TRUE(lists(seen_on(slope(5), city, 1), 2)) << "eyes 38 m up, the first row ends at 20 to 35 m";
+}
+
+TEST(SightsOverRoofs, StillHideOnASlope) {
+  // Down a gentle slope the nearer row hides the farther one, as on flat ground.
+  City city = two_rows(14, 10);
+  city.buildings.push_back(house("third", box(0, -15'000, 100'000, 0), 6));
+  city.buildings[2].sector_id = "street";
+  EXPECT_FALSE(lists(seen_on(slope(0.5), city, 1), 2));
+}
+
 TEST(SightsOverRoofs, SayWhatWasNotTold) {
   // 1 mm above the line: the finest pieces do not tell it from hidden, no ray to a piece's middle finds it.
   const double line_m = 2 + (10 - 2) * 42.0 / 10;
@@ -244,7 +283,7 @@ TEST(Horizon, NeverHidesWhatSomeEyeOfTheDiscSees) {
     for (int i = 0; i < 200; ++i) {
       const double radius = 0.2 + 2 * block.share();
       const Spot centre{block.share() * 90, -0.1 - radius - 12 * block.share()};  // eyes are not in houses
-      horizon.start(centre, radius, i % 2 ? 512 : 1024);
+      horizon.start(centre, radius, kEyeTop_m, i % 2 ? 512 : 1024);
       for (int k = 0; k < 40; ++k) {
         const Spot a{block.share() * 90, 17 + 40 * block.share()}, b{a.x + 6 * block.share(), a.y + 2};
         const double top_m = 3 + 25 * block.share();
