@@ -22,14 +22,9 @@ double distance2_to(const HouseWall& w, Spot p) {
   return ex * ex + ey * ey;
 }
 
-<<<<<<< HEAD
 /// Surely filled up to the eave; nothing reaches above the ridge, and that is over the footprint: a line to it passes a
 /// wall of the house lower than the ridge, so walls up to there stand for it as targets.
-HouseBody body_of(const Building& b) {
-=======
-/// The roof that is drawn is at the eave where that is known; the ridge may be higher, never lower.
 HouseBody body_of(const Building& b, const Terrain& terrain) {
->>>>>>> vis
   const double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m;
   PlanBox box;
   for (const PlanPoint p : b.footprint.outer) box.add(p);

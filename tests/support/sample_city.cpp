@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "city_db/facade_layout.hpp"
 #include "tests/support/triangulate.hpp"
 
 namespace vicus::test {
@@ -318,6 +319,33 @@ City sample_city() {
   mark_important(city);
   add_visible(city);
   add_terrain(city);
+  return city;
+}
+
+City sample_city_with_facades() {
+  City city = sample_city();
+  city.meta["atlas"] = "a71a5";
+  int count = 0;
+  for (const Border& border : city.borders) {
+    if (border.kind != BorderKind::facade) continue;
+    const auto house = std::find_if(city.buildings.begin(), city.buildings.end(),
+                                    [&](const Building& b) { return b.id == border.building_id; });
+    const auto runs = straight_runs(border.line);
+    for (std::size_t i = 0; house != city.buildings.end() && house->base_m == 0 && i + 1 < runs.size(); ++i) {
+      Facade f{border.sector_id, border.building_id, border.line[runs[i]], border.line[runs[i + 1]]};
+      if (f.a == f.b || length_m(f) < 3) continue;
+      f.top_m = house->eave_m > 0 ? house->eave_m : house->height_m;
+      f.style = static_cast<FacadeStyle>(count % 6);
+      f.floors = f.style == FacadeStyle::church || f.style == FacadeStyle::shed ? 1 : 1 + count % 5;
+      f.bays = std::clamp(static_cast<int>(length_m(f) / 3), 1, kMostBays);
+      f.repeats = 1 + static_cast<int>(length_m(f) / 3) / (kMostBays + 1);
+      f.door_bay = count % 3 == 0 ? f.bays / 2 : -1;
+      f.has_shop = count % 4 == 1;
+      f.texture = "f" + std::to_string(count % 7);
+      ++count;
+      city.facades.push_back(f);
+    }
+  }
   return city;
 }
 

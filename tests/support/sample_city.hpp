@@ -24,4 +24,7 @@ extern const char* const kAwkwardName;
 ///            x=-60          -5        5                      60
 City sample_city();
 
+/// The same with windows and doors on every straight facade of 3 m and more, in all styles, and meta["atlas"].
+City sample_city_with_facades();
+
 }  // namespace vicus::test

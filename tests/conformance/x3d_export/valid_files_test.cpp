@@ -59,7 +59,7 @@ class WrittenCity {
     paths_.push_back(folder_ / name);
   }
 
-  City city_ = test::sample_city();
+  City city_ = test::sample_city_with_facades();
   CityIndex index_{city_};
   ScratchDirectory folder_;
   std::vector<fs::path> paths_;

@@ -23,7 +23,7 @@ std::vector<Artefact> some_artefacts() {
 
 TEST(WriteCity, GivesBackEveryRecordAsItWas) {
   ScratchDirectory scratch;
-  const City city = test::sample_city();
+  const City city = test::sample_city_with_facades();
   write_city(scratch / "city.gpkg", city, one_by_one(some_artefacts()));
   EXPECT_EQ(test::difference(read_city(scratch / "city.gpkg"), city), "");
 }

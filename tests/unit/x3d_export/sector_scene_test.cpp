@@ -9,6 +9,7 @@
 
 #include "tests/support/sample_city.hpp"
 #include "tests/support/x3d_text.hpp"
+#include "x3d_export/house_body.hpp"
 #include "x3d_export/objects.hpp"
 
 namespace vicus {
@@ -52,7 +53,7 @@ bool is_inside(const Polygon& polygon, double x, double y) {
 /// Is there a house at this plan point (mm) and height (mm)?
 bool is_in_house(const City& city, double x, double y, double up) {
   return std::any_of(city.buildings.begin(), city.buildings.end(), [&](const Building& b) {
-    return up > b.base_m * 1000 && up < prism_top_m(b) * 1000 && is_inside(b.footprint, x, y);
+    return up > b.base_m * 1000 && up < wall_top_m(b) * 1000 && is_inside(b.footprint, x, y);
   });
 }
 
@@ -312,7 +313,7 @@ TEST(TallFiles, HoldTheHousesSeenOverRoofsAndNothingElse) {
   EXPECT_EQ(church.shapes, 1);
   const Building& b10 = *sample.index.building("b-10");
   const auto extent = extent_of(church.text);
-  EXPECT_DOUBLE_EQ(extent.high_m, prism_top_m(b10));
+  EXPECT_DOUBLE_EQ(extent.high_m, wall_top_m(b10));
   EXPECT_DOUBLE_EQ(extent.low_m, 0);
   // Its roof, its side walls and its facade on this street; b-1 stands on the same street and is left out.
   EXPECT_EQ(extent.faces, b10.roof.facets[0].triangles.size() / 3 + b10.side_walls.size() + 1);

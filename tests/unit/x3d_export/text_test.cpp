@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "city_db/steady_hash.hpp"
+
 namespace vicus {
 namespace {
 
