@@ -20,7 +20,7 @@ build_packages=(
   nodejs npm                                        # fetches X_ITE
 )
 test_packages=(
-  libgtest-dev libembree-dev
+  libgtest-dev libembree-dev libpng-dev
   clang-format
   libxml2-utils gdal-bin sqlite3 view3dscene        # other people's readers of our files
   chromium fonts-dejavu-core                        # the browser of tests/browser

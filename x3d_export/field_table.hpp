@@ -11,7 +11,6 @@ struct FieldSpec {
   std::string_view name;
   FieldType type;
   bool in_vrml97 = true;
-  std::string_view vrml97_name = {};  ///< where VRML97 names it otherwise
 };
 
 struct NodeSpec {

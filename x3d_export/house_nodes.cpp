@@ -121,13 +121,15 @@ std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector
   return ids;
 }
 
-std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector) {
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format) {
   std::vector<Node> nodes;
   const auto shares = shares_of(index, sector);
   if (shares.empty()) return nodes;
   const std::string& atlas = index.city().meta.at("atlas");
   for (const auto& [id, share] : shares)
-    for (const Piece& piece : pieces_of(share, sector.origin)) nodes.push_back(lod_node(piece, sector.origin, atlas));
+    for (const Piece& piece : pieces_of(share, sector.origin))
+      nodes.push_back(format == SceneFormat::vrml ? level_node(piece.levels[1], atlas)
+                                                  : lod_node(piece, sector.origin, atlas));
   return nodes;
 }
 

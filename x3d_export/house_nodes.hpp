@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "x3d_export/city_index.hpp"
-#include "x3d_export/scene.hpp"
+#include "x3d_export/writers.hpp"
 
 /// The houses of a near sector file: for each, one LOD node (several for a long one) with the four levels of paper 004
 /// §4.2, nearest first.
@@ -15,7 +15,9 @@ inline constexpr double kLevelRanges_m[] = {30, 90, 250};
 std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector);
 
 /// Frame   the sector's own.   Urls  "../textures/ID.png".
-std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector);
+/// Differs VRML97 gets the second level alone, as Groups: its LOD names the levels `level`, which view3dscene 4.2, the
+///         independent reader of our files, does not know.
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format);
 
 /// Shape nodes below a node, all levels counted.
 int count_shapes(const Node& node);

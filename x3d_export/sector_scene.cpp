@@ -125,7 +125,7 @@ std::vector<Node> content_of(const SectorParts& parts, const std::vector<Layer>&
   for (const Layer& layer : layers)
     for (Node& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)
-    for (Node& house : house_nodes(parts.index, parts.sector)) nodes.push_back(std::move(house));
+    for (Node& house : house_nodes(parts.index, parts.sector, parts.format)) nodes.push_back(std::move(house));
   return nodes;
 }
 

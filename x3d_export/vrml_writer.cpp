@@ -100,7 +100,7 @@ class VrmlWriter {
       const FieldSpec& field = *find_field_spec(spec, f.name);
       const bool is_empty = std::none_of(f.nodes.begin(), f.nodes.end(), [&](const Node& n) { return is_written(n); });
       if (!field.in_vrml97 || is_empty) continue;
-      out_.append(field.vrml97_name.empty() ? field.name : field.vrml97_name).append(" ");
+      out_ += f.name + " ";
       write_nodes(field.type, f.nodes);
     }
     out_ += "}\n";

@@ -332,7 +332,11 @@ City sample_city_with_facades() {
                                     [&](const Building& b) { return b.id == border.building_id; });
     const auto runs = straight_runs(border.line);
     for (std::size_t i = 0; house != city.buildings.end() && house->base_m == 0 && i + 1 < runs.size(); ++i) {
-      Facade f{border.sector_id, border.building_id, border.line[runs[i]], border.line[runs[i + 1]]};
+      Facade f;
+      f.sector_id = border.sector_id;
+      f.building_id = border.building_id;
+      f.a = border.line[runs[i]];
+      f.b = border.line[runs[i + 1]];
       if (f.a == f.b || length_m(f) < 3) continue;
       f.top_m = house->eave_m > 0 ? house->eave_m : house->height_m;
       f.style = static_cast<FacadeStyle>(count % 6);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -165,13 +166,13 @@ std::multiset<FaceKey> keys_of(const std::vector<ExportFile>& files) {
 
 TEST(SectorFiles, AreSplitWhereTheyAreTooLargeAndLoseNothing) {
   const Sample sample;
-  const auto whole = sample.near("s-main-e"), split = sample.near("s-main-e", 3500);
+  const auto whole = sample.near("s-main-e"), split = sample.near("s-main-e", 2600);
   ASSERT_EQ(whole.size(), 1u);
   ASSERT_GT(split.size(), 2u);
   std::vector<std::string> urls;
-  int shapes = 0;
+  int shapes = split.front().shapes;
   for (std::size_t i = 1; i < split.size(); ++i) {
-    EXPECT_LE(split[i].text.size(), 3500u);
+    EXPECT_LE(split[i].text.size(), 2600u);
     EXPECT_EQ(split[i].path, "sectors/s-main-e." + std::to_string(i) + ".x3d");
     urls.push_back("\"s-main-e." + std::to_string(i) + ".x3d\"");
     shapes += split[i].shapes;
@@ -180,6 +181,40 @@ TEST(SectorFiles, AreSplitWhereTheyAreTooLargeAndLoseNothing) {
   EXPECT_EQ(keys_of(split), keys_of(whole));
   const auto counts = attributes_in(split.front().text, "MetadataInteger", "value");
   EXPECT_EQ(counts.front(), std::to_string(shapes)) << "the record counts the Shapes of all parts";
+}
+
+TEST(SectorFiles, HousesWithWindowsComeInFourLevels) {
+  const City city = test::sample_city_with_facades();
+  const CityIndex index(city);
+  for (const auto& s : city.sectors) {
+    const auto files = sector_files(index, s, Detail::near, SceneFormat::x3d);
+    std::set<std::string> houses;
+    for (const Facade* f : index.facades_of(s.id)) houses.insert(f->building_id);
+    std::size_t lods = 0;
+    std::map<std::string, int> images;
+    for (const auto& file : files) {
+      EXPECT_LE(file.text.size(), kFileLimit_bytes);
+      for (const auto& range : attributes_in(file.text, "LOD", "range")) {
+        EXPECT_EQ(range, "30 90 250");
+        ++lods;
+      }
+      for (const auto& url : attributes_in(file.text, "ImageTexture", "url")) ++images[url];
+    }
+    EXPECT_GE(lods, houses.size());
+    if (files.size() == 1) {
+      for (const auto& [url, count] : images) EXPECT_EQ(count, 1) << url << " is held more than once in a file";
+    }
+    EXPECT_EQ(images.contains("\"../textures/a71a5.png\""), !houses.empty()) << s.id;
+  }
+}
+
+TEST(SectorFiles, WithoutAnAtlasHousesArePlain) {
+  City city = test::sample_city_with_facades();
+  city.meta.erase("atlas");
+  const City plain = test::sample_city();
+  for (const auto& s : city.sectors)
+    EXPECT_EQ(keys_of(sector_files(CityIndex(city), s, Detail::near, SceneFormat::x3d)),
+              keys_of(sector_files(CityIndex(plain), *CityIndex(plain).sector(s.id), Detail::near, SceneFormat::x3d)));
 }
 
 /// The record inside a sector's X3D JSON, in the form of ID.json.
