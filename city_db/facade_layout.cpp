@@ -30,7 +30,7 @@ WindowFigures upper_window(FacadeStyle style, int floor) {
 WindowFigures ground_window(FacadeStyle style) {
   switch (style) {
     case FacadeStyle::church:
-      return {OpeningKind::church_window, 1.5, 4.6, 2.4};
+      return {OpeningKind::church_window, 1.5, 4.0, 4.3};
     case FacadeStyle::modern:
       return {OpeningKind::wide_window, 1.75, 1.45, 1.0};
     case FacadeStyle::stone:
@@ -62,6 +62,8 @@ Opening door_of(FacadeStyle style, double ground_floor) {
   }
   return door(OpeningKind::house_door, 1.42, 2.85);
 }
+
+constexpr double kTallestDoor = 1.2;  // times its usual height
 
 double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
   const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
@@ -111,12 +113,16 @@ std::vector<Opening> pattern_openings(const Facade& facade) {
     const auto window = [](const WindowFigures& w) {
       return Opening{w.kind, -w.width / 2, w.width / 2, w.sill, w.sill + w.height, 0, 0};
     };
-    if (bay == facade.door_bay)
+    if (facade.style == FacadeStyle::church) {  // windows stand above the door
+      if (bay == facade.door_bay) add(door_of(facade.style, f.ground_floor), 0, 0);
+      add(window(ground_window(facade.style)), 0, 1);
+    } else if (bay == facade.door_bay) {
       add(door_of(facade.style, f.ground_floor), 0, 0);
-    else if (facade.has_shop)
+    } else if (facade.has_shop) {
       add({OpeningKind::shop, -0.46 * f.bay, 0.46 * f.bay, 0.12, f.ground_floor - 0.35, 0, 0}, 0, 0);
-    else if (facade.style != FacadeStyle::shed)
+    } else if (facade.style != FacadeStyle::shed) {
       add(window(ground_window(facade.style)), 0, 0);
+    }
     for (int floor = 1; floor < facade.floors; ++floor)
       add(window(upper_window(facade.style, floor)), f.ground_floor + (floor - 1) * f.storey, floor);
   }
@@ -124,7 +130,7 @@ std::vector<Opening> pattern_openings(const Facade& facade) {
 }
 
 Facade image_pattern(Facade facade) {
-  if (facade.style != FacadeStyle::church && facade.style != FacadeStyle::shed) facade.door_bay = -1;
+  if (facade.style != FacadeStyle::shed) facade.door_bay = -1;
   return facade;
 }
 
@@ -138,9 +144,12 @@ std::vector<Opening> openings_of(const Facade& facade) {
   const double sz = (facade.top_m - facade.bottom_m) / pattern_height_m(facade);
   std::vector<Opening> openings;
   for (int i = 0; i < facade.repeats; ++i)
-    for (const Opening& o : pattern)
-      openings.push_back({o.kind, i * width + sx * o.x0, i * width + sx * o.x1, sz * o.z0, sz * o.z1, o.floor,
-                          i * facade.bays + o.bay});
+    for (const Opening& o : pattern) {
+      // The walls of a church grow with it, its door is made for people.
+      const double top = o.kind == OpeningKind::church_door ? std::min(sz * o.z1, kTallestDoor * o.z1) : sz * o.z1;
+      openings.push_back(
+          {o.kind, i * width + sx * o.x0, i * width + sx * o.x1, sz * o.z0, top, o.floor, i * facade.bays + o.bay});
+    }
   return openings;
 }
 

@@ -34,7 +34,7 @@ const StyleFigures& figures_of(FacadeStyle style);
 double pattern_width_m(const Facade& facade);
 double pattern_height_m(const Facade& facade);
 std::vector<Opening> pattern_openings(const Facade& facade);
-/// The pattern of a facade's image: house doors are not in it, a ground floor window is in their place.
+/// The pattern of a facade's image: doors for people are not in it; where a house has one, its image has a window.
 Facade image_pattern(Facade facade);
 
 double length_m(const Facade& facade);

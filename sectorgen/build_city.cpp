@@ -114,7 +114,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   clock.begin("models");
   roof_houses(city);
   lay_out_facades(city);
-  paint_textures(city, options.threads);
+  if (options.with_textures) paint_textures(city, options.threads);
 
   clock.begin("visibility");
   if (options.with_visibility) {

@@ -46,6 +46,7 @@ struct BuildOptions {
   unsigned threads = 0;                  ///< 0: all cores
   const City* previous = nullptr;  ///< the city built before, whose sector ids are kept where sectors are the same
   std::filesystem::path terrain;   ///< a raster of heights; empty: the ground is flat
+  bool with_textures = true;       ///< false: facades have no images, the city no atlas
   bool with_visibility = true;     ///< false: no L_vis
   VisibleOptions visible;
   std::vector<AuthorEntry> important;               ///< a person's list of important sectors

@@ -43,12 +43,14 @@ class FacadeBuilder {
   /// One image serves houses with different doors: they stand in front of it.
   void doors(LevelFaces& level) const {
     for (const Opening& o : openings_)
-      if (o.kind == OpeningKind::house_door) level.atlas.push_back(image_face(o, kQuadOffset_m));
+      if (is_door(o)) level.atlas.push_back(image_face(o, kQuadOffset_m));
   }
 
   /// Balconies and sills up to about the triangles of level 2's quads.
-  void relief(LevelFaces& level) const {
-    std::size_t budget = 2 * openings_.size();
+  void relief(LevelFaces& level, std::size_t taken) const {
+    const auto doors = std::count_if(openings_.begin(), openings_.end(), is_door);
+    const std::size_t quads = 2 * (openings_.size() - static_cast<std::size_t>(doors));
+    std::size_t budget = quads - std::min(quads, taken);
     for (const Opening& o : openings_)
       if (has_balcony(o) && budget >= kBalconyTriangles) {
         balcony(level, o);
@@ -97,6 +99,9 @@ class FacadeBuilder {
   }
 
  private:
+  static bool is_door(const Opening& o) {
+    return o.kind == OpeningKind::house_door || o.kind == OpeningKind::church_door;
+  }
   void add(LevelFaces& level, X3dPoint p, X3dPoint q, X3dPoint r, X3dPoint s, Colour colour) const {
     level.solid.push_back({{p, q, r, s}, 4, colour});
   }
@@ -184,7 +189,7 @@ std::size_t LevelFaces::triangles() const {
   return count;
 }
 
-void add_facade(const Facade& facade, Colour wall, PlanPoint origin, LevelFaces (&levels)[4]) {
+void add_facade(const Facade& facade, Colour wall, PlanPoint origin, std::size_t taken, LevelFaces (&levels)[4]) {
   FacadeBuilder builder(facade, wall, origin);
   builder.sort_by_floor();
   builder.silhouette(levels[0]);
@@ -192,10 +197,10 @@ void add_facade(const Facade& facade, Colour wall, PlanPoint origin, LevelFaces 
   builder.quads(levels[1], 0);
   builder.textured(levels[2]);
   builder.doors(levels[2]);
-  builder.relief(levels[2]);
+  builder.relief(levels[2], taken);
   builder.deep(levels[3]);
   builder.quads(levels[3], kDeepFloors);
-  builder.relief(levels[3]);
+  builder.relief(levels[3], taken);
 }
 
 std::vector<Facade> split_facade(const Facade& facade, int most) {

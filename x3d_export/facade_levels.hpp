@@ -27,7 +27,8 @@ inline constexpr double kQuadOffset_m = 0.05;
 
 /// Adds the facade to all four levels (levels[0] is level 1).
 /// Error   level 4 sets the openings of the lowest ten floors only; above them nobody sees the depth.
-void add_facade(const Facade& facade, Colour wall, PlanPoint origin, LevelFaces (&levels)[4]);
+/// `taken`: triangles that the house spends on other relief of level 3, its chimneys.
+void add_facade(const Facade& facade, Colour wall, PlanPoint origin, std::size_t taken, LevelFaces (&levels)[4]);
 
 /// The same facade as several, pattern by pattern, none with more than `most` openings where a pattern has fewer.
 std::vector<Facade> split_facade(const Facade& facade, int most);

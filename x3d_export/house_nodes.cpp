@@ -77,38 +77,42 @@ Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas) {
   return lod;
 }
 
-void add_to_all(Piece& piece, const std::vector<Face>& faces) {
-  for (auto& level : piece.levels) level.solid.insert(level.solid.end(), faces.begin(), faces.end());
+/// Chimneys get at most half of the triangles that the windows of the first facade take in level 2.
+std::vector<Face> chimneys_of(const Share& share, const Facade& first, PlanPoint origin) {
+  FaceList chimneys(origin);
+  if (share.has_body)
+    add_chimneys(chimneys, *share.house, static_cast<int>(openings_of(first).size()) / kChimneyTriangles);
+  return chimneys.take();
 }
 
 std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
+  std::vector<Facade> parts;
+  for (const Facade* facade : share.facades)
+    for (Facade& part : split_facade(*facade, kMostOpenings)) parts.push_back(std::move(part));
+  const auto chimneys = chimneys_of(share, parts.front(), origin);
+  std::size_t taken = 2 * chimneys.size();
   std::vector<Piece> pieces(1);
   int openings = 0;
-  for (const Facade* facade : share.facades)
-    for (const Facade& part : split_facade(*facade, kMostOpenings)) {
-      const int count = part.floors * part.bays * part.repeats;
-      if (openings > 0 && openings + count > kMostOpenings) {
-        pieces.emplace_back();
-        openings = 0;
-      }
-      openings += count;
-      add_facade(part, share.house->wall_colour, origin, pieces.back().levels);
-      pieces.back().box.add(part.a);
-      pieces.back().box.add(part.b);
+  for (const Facade& part : parts) {
+    const int count = part.floors * part.bays * part.repeats;
+    if (openings > 0 && openings + count > kMostOpenings) {
+      pieces.emplace_back();
+      openings = 0;
     }
+    openings += count;
+    add_facade(part, share.house->wall_colour, origin, taken, pieces.back().levels);
+    pieces.back().box.add(part.a);
+    pieces.back().box.add(part.b);
+    taken = 0;
+  }
   FaceList plain(origin);
   for (const auto& [a, b] : share.blind) plain.add_wall(a, b, 0, wall_top_m(*share.house), share.house->wall_colour);
   if (share.has_body) add_body(plain, *share.house);
-  add_to_all(pieces.front(), plain.take());
-  if (share.has_body) {
-    FaceList chimneys(origin);
-    const std::size_t quads = pieces.front().levels[1].atlas.size();
-    add_chimneys(chimneys, *share.house, static_cast<int>(2 * quads / kChimneyTriangles));
-    const auto faces = chimneys.take();
-    for (int level : {2, 3}) {
-      auto& solid = pieces.front().levels[level].solid;
-      solid.insert(solid.end(), faces.begin(), faces.end());
-    }
+  const auto faces = plain.take();
+  for (int level = 0; level < 4; ++level) {
+    auto& solid = pieces.front().levels[level].solid;
+    solid.insert(solid.end(), faces.begin(), faces.end());
+    if (level >= 2) solid.insert(solid.end(), chimneys.begin(), chimneys.end());
   }
   return pieces;
 }

@@ -131,7 +131,7 @@ class FacadeLayout {
 void lay_out_facades(City& city) {
   city.facades.clear();
   for (auto& house : city.buildings) {
-    house.wall_colour = facade_colour(house);
+    house.wall_colour = facade_colour(house, style_of(house));
     house.roof_colour = roof_colour(house);
   }
   FacadeLayout(city).run();

@@ -176,6 +176,7 @@ constexpr NamedColour kMaterials[] = {{"asphalt", 0x55565a},       {"brick", 0x9
 
 // Few, because each makes another image of every pattern.
 constexpr std::uint32_t kPlaster[] = {0xe3d8c1, 0xd9c9a8, 0xe9dfcf, 0xd6cdbd, 0xdcc3a0, 0xd2b896, 0xdcd4c8, 0xe0cdb8};
+constexpr std::uint32_t kStone[] = {0xe3d8c1, 0xd9cbb0, 0xdcd4c8, 0xd2c3a6}, kBrick[] = {0x9c5a45, 0xa9674e, 0x8a5242};
 constexpr std::uint32_t kRoofs[] = {0xa5573f, 0x98503c, 0xb0634a, 0x8e4c3b, 0x59606a, 0x676d73, 0x8a929a};
 
 std::string plain_word(std::string_view text) {
@@ -209,9 +210,12 @@ std::optional<Colour> parse_colour(std::string_view text) {
   return find_colour(kNamed, word);
 }
 
-Colour facade_colour(const Building& building) {
+Colour facade_colour(const Building& building, FacadeStyle style) {
   if (const auto colour = tagged_colour(building.tags, "building")) return *colour;
-  return colour_of(kPlaster[steady_hash(building.id) % std::size(kPlaster)]);
+  const auto hash = steady_hash(building.id);
+  if (style == FacadeStyle::stone) return colour_of(kStone[hash % std::size(kStone)]);
+  if (style == FacadeStyle::brick) return colour_of(kBrick[hash % std::size(kBrick)]);
+  return colour_of(kPlaster[hash % std::size(kPlaster)]);
 }
 
 Colour roof_colour(const Building& building) {

@@ -10,7 +10,7 @@ namespace vicus {
 /// "#abc", "#aabbcc" or a CSS colour name; case, spaces, '_' and '-' are passed over.
 std::optional<Colour> parse_colour(std::string_view text);
 
-Colour facade_colour(const Building& building);
+Colour facade_colour(const Building& building, FacadeStyle style);
 Colour roof_colour(const Building& building);
 
 }  // namespace vicus

@@ -16,6 +16,7 @@ City city_of_files(const std::vector<std::filesystem::path>& inputs, const City*
   BuildOptions options;
   options.previous = previous;
   options.with_visibility = false;
+  options.with_textures = false;
   BuildReport report;
   return build_city(std::move(map), options, std::move(issues), report);
 }

@@ -28,14 +28,14 @@ TEST(HexOf, IsTheInverseOfParseColour) {
 TEST(FacadeColour, ComesFromTheTagElseFromThePaletteSteadyById) {
   Building house;
   house.id = "way/12";
-  const Colour plaster = facade_colour(house);
-  EXPECT_EQ(facade_colour(house), plaster);
+  const Colour plaster = facade_colour(house, FacadeStyle::plaster);
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), plaster);
   house.tags["building:colour"] = "no colour at all";
-  EXPECT_EQ(facade_colour(house), plaster);
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), plaster);
   house.tags["building:material"] = "brick";
-  EXPECT_EQ(facade_colour(house), (Colour{0x9c, 0x5a, 0x45}));
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), (Colour{0x9c, 0x5a, 0x45}));
   house.tags["building:colour"] = "#102030";
-  EXPECT_EQ(facade_colour(house), (Colour{0x10, 0x20, 0x30}));
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), (Colour{0x10, 0x20, 0x30}));
   house.tags["roof:colour"] = "maroon";
   EXPECT_EQ(roof_colour(house), (Colour{128, 0, 0}));
 }
@@ -45,7 +45,7 @@ TEST(FacadeColour, VariesFromHouseToHouse) {
   for (int i = 0; i < 200; ++i) {
     Building house;
     house.id = std::to_string(i);
-    facades.insert(facade_colour(house));
+    facades.insert(facade_colour(house, FacadeStyle::plaster));
     roofs.insert(roof_colour(house));
   }
   EXPECT_GE(facades.size(), 7u);

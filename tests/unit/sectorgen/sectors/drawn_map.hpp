@@ -45,7 +45,9 @@ inline SourceMap one_street() {
 /// Builds the city and expects every rule of DESIGN §3 to hold.
 inline City built(SourceMap map, std::vector<Issue> issues = {}) {
   BuildReport report;
-  City city = build_city(std::move(map), {}, std::move(issues), report);
+  BuildOptions options;
+  options.with_textures = false;
+  City city = build_city(std::move(map), options, std::move(issues), report);
   const RuleReport rules = check_rules(city);
   EXPECT_TRUE(rules.all_hold());
   for (const auto& v : rules.violations) ADD_FAILURE() << name_of(v.rule) << ": " << v.message;

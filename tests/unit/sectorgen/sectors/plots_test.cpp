@@ -53,9 +53,10 @@ TEST(Plots, AStreetEndsAtTheFrontLineOfItsPlots) {
   EXPECT_EQ(sector_at(city, at(100, 0))->name, "Garden Road");
   ASSERT_NE(sector_at(city, at(100, 9)), nullptr);
   EXPECT_NE(sector_at(city, at(100, 9))->kind, SectorKind::street);
-  for (const auto& g : city.gates)
-    if (g.kind == GateKind::kerb)
-      for (PlanPoint p : g.line) EXPECT_GE(std::abs(p.y), 5'900);
+  for (const auto& g : city.gates) {
+    if (g.kind != GateKind::kerb) continue;
+    for (PlanPoint p : g.line) EXPECT_GE(std::abs(p.y), 5'900);
+  }
   EXPECT_TRUE(
       std::any_of(city.gates.begin(), city.gates.end(), [](const Gate& g) { return g.kind == GateKind::kerb; }));
 }
