@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/near_names.hpp"
 #include "httpd/static_files.hpp"
+#include "x3d_export/house_shell.hpp"
 #include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -32,7 +33,7 @@ struct Written {
   std::size_t files = 0, bytes = 0;
 };
 
-const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site", "portals"};
+const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site", "portals", "obj", "cityjson"};
 
 void write_file(const fs::path& path, std::string_view bytes, Written& written) {
   fs::create_directories(path.parent_path().empty() ? "." : path.parent_path());
@@ -202,13 +203,17 @@ Written write_map(const City& city, const Arguments& arguments) {
 void export_city(Arguments arguments, Context& context) {
   const City city = read_city(arguments.city);
   if (arguments.out.empty())
-    arguments.out = arguments.city.stem().string() + (arguments.format == "svg"       ? ".svg"
-                                                      : arguments.format == "portals" ? ".prt"
-                                                                                      : "-" + arguments.format);
+    arguments.out = arguments.city.stem().string() + (arguments.format == "svg"        ? ".svg"
+                                                      : arguments.format == "portals"  ? ".prt"
+                                                      : arguments.format == "obj"      ? ".obj"
+                                                      : arguments.format == "cityjson" ? ".city.json"
+                                                                                       : "-" + arguments.format);
   Written written;
   try {
     if (arguments.format == "svg") {
       written = write_map(city, arguments);
+    } else if (arguments.format == "obj" || arguments.format == "cityjson") {
+      write_renamed(arguments.out, arguments.format == "obj" ? obj_text(city) : cityjson_text(city), written);
     } else {
       if (city.sectors.empty()) throw CityError("the city has no sectors: there is nothing to walk in", kNothingUsable);
       written =
@@ -229,15 +234,17 @@ void export_city(Arguments arguments, Context& context) {
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
-  auto* command = new_command(app, context, "export", "a city in other formats: a map, X3D, a web site, portals",
-                              "vicus export city.gpkg --format svg --labels -o city.svg\n"
-                              "  vicus export city.gpkg --format svg --lvis r12 -o r12.svg");
+  auto* command =
+      new_command(app, context, "export", "a city in other formats: a map, X3D, a web site, portals, solids",
+                  "vicus export city.gpkg --format svg --labels -o city.svg\n"
+                  "  vicus export city.gpkg --format svg --lvis r12 -o r12.svg");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("CITY", arguments->city, "a city made by vicus build")->required();
   command
       ->add_option("--format", arguments->format,
                    "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server; "
-                   "portals: convex cells and portals (PRT1) for other visibility programs, with OUT.json beside")
+                   "portals: convex cells and portals (PRT1) for other visibility programs, with OUT.json beside; "
+                   "obj, cityjson: houses as closed solids")
       ->required()
       ->check(CLI::IsMember(kFormats));
   command->add_option("-o,--output", arguments->out, "file or folder; else named after the city, here");

@@ -27,6 +27,20 @@ TEST(VicusExport, DrawsTheListOfOneSector) {
   EXPECT_NE(test::read_bytes(sample.path("yard.svg")).find("L_vis of s-yard"), std::string::npos);
 }
 
+TEST(VicusExport, WritesHousesAsSolids) {
+  const Sample sample;
+  const std::size_t houses = test::sample_city().buildings.size();
+  const auto obj = sample.run("--format obj -o " + sample.path("a.obj"));
+  ASSERT_EQ(obj.rc, 0) << obj.errors;
+  const std::string text = "\n" + test::read_bytes(sample.path("a.obj"));
+  std::size_t count = 0;
+  for (auto at = text.find("\no "); at != text.npos; at = text.find("\no ", at + 1)) ++count;
+  EXPECT_EQ(count, houses);
+  const auto cityjson = sample.run("--format cityjson -o " + sample.path("a.city.json"));
+  ASSERT_EQ(cityjson.rc, 0) << cityjson.errors;
+  EXPECT_EQ(nlohmann::json::parse(test::read_bytes(sample.path("a.city.json")))["CityObjects"].size(), houses);
+}
+
 TEST(VicusExport, NamesNearIdsWhereThereIsNoSuchSector) {
   const Sample sample;
   const auto near = sample.run("--format svg --lvis S-mian-w -o " + sample.path("a.svg"));
