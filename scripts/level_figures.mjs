@@ -23,7 +23,7 @@ try {
 
 function report(out) {
     const texts = readdirSync(join(out, 'sectors')).map(name => readFileSync(join(out, 'sectors', name), 'utf8'));
-    const shares = texts.flatMap(sharesIn);
+    const shares = texts.flatMap(sharesIn).filter(levels => levels.length === kLevels);
     const images = readdirSync(join(out, 'textures')).map(name => statSync(join(out, 'textures', name)).size);
     console.log(`${basename(city)}: ${shares.length} shares, ${images.length} images of ${mean(images).toFixed(0)} bytes`);
     console.log('| level | triangles mean | median | bytes raw | sent | images |\n|---|---|---|---|---|---|');
@@ -40,7 +40,7 @@ function report(out) {
 function sharesIn(text) {
     return text.split('<LOD ').slice(1).map(rest => {
         const body = rest.slice(rest.indexOf('\n') + 1, rest.indexOf('</LOD>'));
-        return body.split('</Group>\n').slice(0, kLevels);
+        return body.split('</Group>\n').slice(0, -1);
     });
 }
 

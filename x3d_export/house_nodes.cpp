@@ -66,14 +66,14 @@ Node level_node(const LevelFaces& faces, const std::string& atlas) {
   return group;
 }
 
-Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas) {
+Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas, int finest) {
   const PlanPoint middle{piece.box.min.x + (piece.box.max.x - piece.box.min.x) / 2,
                          piece.box.min.y + (piece.box.max.y - piece.box.min.y) / 2};
   const X3dPoint centre = x3d_from_plan(middle, height_mm(kCentre_m), origin);
   Node lod("LOD");
   lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
-  lod.set("range", std::vector<double>(std::begin(kLevelRanges_m), std::end(kLevelRanges_m)));
-  for (int level = 3; level >= 0; --level) lod.add(level_node(piece.levels[level], atlas));
+  lod.set("range", std::vector<double>(std::begin(kLevelRanges_m) + (4 - finest), std::end(kLevelRanges_m)));
+  for (int level = finest - 1; level >= 0; --level) lod.add(level_node(piece.levels[level], atlas));
   return lod;
 }
 
@@ -119,6 +119,12 @@ std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
 
 }  // namespace
 
+int finest_level(const CityIndex& index, const Sector& sector) {
+  int openings = 0;
+  for (const Facade* f : index.facades_of(sector.id)) openings += f->floors * f->bays * f->repeats;
+  return openings <= kMostDeepOpenings ? 4 : 3;
+}
+
 std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector) {
   std::vector<std::string> ids;
   for (const auto& [id, share] : shares_of(index, sector)) ids.push_back(id);
@@ -130,10 +136,11 @@ std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, Scen
   const auto shares = shares_of(index, sector);
   if (shares.empty()) return nodes;
   const std::string& atlas = index.city().meta.at("atlas");
+  const int finest = finest_level(index, sector);
   for (const auto& [id, share] : shares)
     for (const Piece& piece : pieces_of(share, sector.origin))
       nodes.push_back(format == SceneFormat::vrml ? level_node(piece.levels[1], atlas)
-                                                  : lod_node(piece, sector.origin, atlas));
+                                                  : lod_node(piece, sector.origin, atlas, finest));
   return nodes;
 }
 

@@ -11,6 +11,12 @@ namespace vicus {
 /// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
 inline constexpr double kLevelRanges_m[] = {30, 90, 250};
 
+/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: some 170 bytes an opening in
+/// all levels, 100 of them in the fourth.
+inline constexpr int kMostDeepOpenings = 1100;
+/// 4, or 3 in such a sector.
+int finest_level(const CityIndex& index, const Sector& sector);
+
 /// Ids of the houses that have facades with openings in the sector: they come as LOD nodes, all others as plain prisms.
 std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector);
 

@@ -208,6 +208,23 @@ TEST(SectorFiles, HousesWithWindowsComeInFourLevels) {
   }
 }
 
+TEST(SectorFiles, TooManyOpeningsForTheBudgetLeaveTheFourthLevelOut) {
+  City city = test::sample_city_with_facades();
+  const std::string id = city.facades.front().sector_id;
+  const auto ranges = [&] {
+    const CityIndex index(city);
+    std::set<std::string> out;
+    for (const auto& file : sector_files(index, *index.sector(id), Detail::near, SceneFormat::x3d))
+      for (const auto& range : attributes_in(file.text, "LOD", "range")) out.insert(range);
+    return out;
+  };
+  EXPECT_EQ(ranges(), std::set<std::string>{"30 90 250"});
+  city.facades.front().floors = 150;
+  city.facades.front().bays = 8;
+  city.facades.front().repeats = 2;
+  EXPECT_EQ(ranges(), std::set<std::string>{"90 250"});
+}
+
 TEST(SectorFiles, WithoutAnAtlasHousesArePlain) {
   City city = test::sample_city_with_facades();
   city.meta.erase("atlas");
