@@ -13,7 +13,7 @@ inline constexpr double kLevelRanges_m[] = {30, 90, 250};
 
 /// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: some 170 bytes an opening in
 /// all levels, 100 of them in the fourth.
-inline constexpr int kMostDeepOpenings = 1100;
+inline constexpr int kMostDeepOpenings = 1000;
 /// 4, or 3 in such a sector.
 int finest_level(const CityIndex& index, const Sector& sector);
 
