@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "city_db/segment.hpp"
+
 namespace vicus {
 namespace {
 
@@ -64,13 +66,6 @@ Opening door_of(FacadeStyle style, double ground_floor) {
 }
 
 constexpr double kTallestDoor = 1.2;  // times its usual height
-
-double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(px - t * dx, py - t * dy);
-}
 
 }  // namespace
 
@@ -169,7 +164,7 @@ std::vector<std::size_t> straight_runs(const std::vector<PlanPoint>& line) {
   for (std::size_t last = 2; last < line.size(); ++last) {
     bool is_straight = true;
     for (std::size_t i = first + 1; i < last && is_straight; ++i)
-      is_straight = distance_mm(line[i], line[first], line[last]) <= kStraight_mm;
+      is_straight = distance_to_segment_mm(line[i], line[first], line[last]) <= kStraight_mm;
     if (is_straight) continue;
     first = last - 1;
     runs.push_back(first);

@@ -11,8 +11,9 @@ namespace vicus {
 /// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
 inline constexpr double kLevelRanges_m[] = {30, 90, 250};
 
-/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: some 170 bytes an opening in
-/// all levels, 100 of them in the fourth.
+/// A sector with more openings leaves the fourth level out, to stay near 200 kB as sent: some 170 bytes an opening in
+/// all levels (Montmartre), 100 of them in the fourth. From some 5,000 openings on that is not enough
+/// (docs/sectors.md).
 inline constexpr int kMostDeepOpenings = 1000;
 /// 4, or 3 in such a sector.
 int finest_level(const CityIndex& index, const Sector& sector);

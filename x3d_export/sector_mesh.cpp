@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "city_db/segment.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/objects.hpp"
@@ -19,20 +20,12 @@ constexpr double kBackdrop_m = 15;  // hides what is not there, as high as the h
 
 using Line = std::vector<PlanPoint>;
 
-/// Distance of p from the segment a-b, millimetres.
-double distance_mm(PlanPoint p, PlanPoint a, PlanPoint b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(px - t * dx, py - t * dy);
-}
-
 /// Douglas and Peucker: appends the points to keep of line[first, last), the last one left to the caller.
 void append_simplified(Line& out, const Line& line, std::size_t first, std::size_t last) {
   std::size_t farthest = first;
   double distance = kFarTolerance_mm;
   for (std::size_t i = first + 1; i < last; ++i)
-    if (const double d = distance_mm(line[i], line[first], line[last]); d > distance) {
+    if (const double d = distance_to_segment_mm(line[i], line[first], line[last]); d > distance) {
       farthest = i;
       distance = d;
     }
