@@ -1,7 +1,9 @@
 #include "x3d_export/facade_levels.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "x3d_export/reveal_strips.hpp"
 #include "x3d_export/wall_frame.hpp"
 
 namespace vicus {
@@ -82,13 +84,14 @@ class FacadeBuilder {
         under_image(level, x, o.x0, low, high);
         under_image(level, o.x0, o.x1, low, o.z0);
         under_image(level, o.x0, o.x1, o.z1, high);
-        recess(level, o);
+        level.atlas.push_back(image_face(o, -depth_m()));
         x = o.x1;
       }
       under_image(level, x, frame_.length_m(), low, high);
       band = high;
     }
     under_image(level, 0, frame_.length_m(), band, facade_.top_m);
+    reveals(level);
   }
 
   /// Openings floor by floor, from the left.
@@ -141,14 +144,22 @@ class FacadeBuilder {
             {{{t.u0, t.v0}, {t.u1, t.v0}, {t.u1, t.v1}, {t.u0, t.v1}}}};
   }
 
-  void recess(LevelFaces& level, const Opening& o) const {
-    const double depth = figures_of(facade_.style).depth;
+  double depth_m() const { return figures_of(facade_.style).depth; }
+
+  /// The sides of the openings of the deep floors, behind the wall.
+  void reveals(LevelFaces& level) const {
+    std::vector<Opening> deep_ones;
+    std::copy_if(openings_.begin(), openings_.end(), std::back_inserter(deep_ones),
+                 [](const Opening& o) { return o.floor < kDeepFloors; });
+    const RevealStrips strips = reveal_strips(deep_ones);
     const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
-    cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
-    cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);
-    upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
-    under_side(level, o.x0, o.x1, o.z1, -depth, 0, top);
-    level.atlas.push_back(image_face(o, -depth));
+    for (const auto& s : strips.left)
+      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), 0, false, side);
+    for (const auto& s : strips.right)
+      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), 0, true, side);
+    for (const auto& s : strips.sill)
+      upper_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), 0, stone_);
+    for (const auto& s : strips.head) under_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), 0, top);
   }
 
   /// Old stone houses have them on the second and the last floor, others now and then.

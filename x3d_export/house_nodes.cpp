@@ -20,30 +20,18 @@ std::string texture_url(const std::string& id) { return "../textures/" + id + ".
 struct Share {
   const Building* house = nullptr;
   std::vector<const Facade*> facades;
-  std::vector<std::pair<PlanPoint, PlanPoint>> blind;  // stretches of its border without openings
-  bool has_body = false;                               // this sector sends its roof and side walls
+  bool has_body = false;  // this sector sends its roof and side walls
 };
 
 std::map<std::string, Share> shares_of(const CityIndex& index, const Sector& sector) {
   std::map<std::string, Share> shares;
   if (!index.city().meta.contains("atlas")) return shares;
-  std::set<std::pair<PlanPoint, PlanPoint>> with_openings;
   for (const Facade* facade : index.facades_of(sector.id)) {
     const Building* house = index.building(facade->building_id);
     if (!house || house->base_m > 0) continue;
     Share& share = shares[house->id];
     share.house = house;
     share.facades.push_back(facade);
-    with_openings.insert({facade->a, facade->b});
-  }
-  for (const Border* border : index.borders_of(sector.id)) {
-    const auto at = shares.find(border->building_id);
-    if (border->kind != BorderKind::facade || at == shares.end()) continue;
-    const auto runs = straight_runs(border->line);
-    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      const std::pair stretch(border->line[runs[i]], border->line[runs[i + 1]]);
-      if (!with_openings.contains(stretch)) at->second.blind.push_back(stretch);
-    }
   }
   for (const Building* house : index.buildings_of(sector.id))
     if (const auto at = shares.find(house->id); at != shares.end()) at->second.has_body = true;
@@ -105,14 +93,9 @@ std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
     pieces.back().box.add(part.b);
     taken = 0;
   }
-  FaceList plain(origin);
-  for (const auto& [a, b] : share.blind) plain.add_wall(a, b, 0, wall_top_m(*share.house), share.house->wall_colour);
-  if (share.has_body) add_body(plain, *share.house);
-  const auto faces = plain.take();
-  for (int level = 0; level < 4; ++level) {
+  for (int level = 2; level < 4; ++level) {
     auto& solid = pieces.front().levels[level].solid;
-    solid.insert(solid.end(), faces.begin(), faces.end());
-    if (level >= 2) solid.insert(solid.end(), chimneys.begin(), chimneys.end());
+    solid.insert(solid.end(), chimneys.begin(), chimneys.end());
   }
   return pieces;
 }
@@ -125,10 +108,11 @@ int finest_level(const CityIndex& index, const Sector& sector) {
   return openings <= kMostDeepOpenings ? 4 : 3;
 }
 
-std::vector<std::string> houses_with_levels(const CityIndex& index, const Sector& sector) {
-  std::vector<std::string> ids;
-  for (const auto& [id, share] : shares_of(index, sector)) ids.push_back(id);
-  return ids;
+std::set<std::pair<PlanPoint, PlanPoint>> stretches_with_levels(const CityIndex& index, const Sector& sector) {
+  std::set<std::pair<PlanPoint, PlanPoint>> stretches;
+  for (const auto& [id, share] : shares_of(index, sector))
+    for (const Facade* facade : share.facades) stretches.insert({facade->a, facade->b});
+  return stretches;
 }
 
 std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format) {

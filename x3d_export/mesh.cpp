@@ -112,27 +112,52 @@ void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double 
   }
 }
 
-Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces) {
-  assert(!faces.empty());
+namespace {
+
+/// An IndexedFaceSet. One list of indices serves points and places in the image where that is less text.
+Node under_image(std::span<const TexturedFace> faces) {
+  using Place = std::array<double, 2>;
   Numbering<X3dPoint> number_of_point;
-  Numbering<std::array<double, 2>> number_of_uv;
-  std::vector<std::int32_t> coord_index, uv_index;
+  Numbering<Place> number_of_place;
+  Numbering<std::pair<X3dPoint, Place>> number_of_both;
+  std::vector<std::int32_t> point_index, place_index, both_index;
   for (const TexturedFace& face : faces) {
     for (std::size_t k = 0; k < 4; ++k) {
-      coord_index.push_back(number_of_point(face.corners[k]));
-      uv_index.push_back(number_of_uv(face.uv[k]));
+      point_index.push_back(number_of_point(face.corners[k]));
+      place_index.push_back(number_of_place(face.uv[k]));
+      both_index.push_back(number_of_both({face.corners[k], face.uv[k]}));
     }
-    coord_index.push_back(-1);
-    uv_index.push_back(-1);
+    for (auto* index : {&point_index, &place_index, &both_index}) index->push_back(-1);
   }
-  std::vector<double> points, uvs;
-  for (const auto& p : number_of_point.items()) points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
-  for (const auto& uv : number_of_uv.items()) uvs.insert(uvs.end(), {uv[0], uv[1]});
-
+  std::vector<double> points, places;
+  const auto add_point = [&](const X3dPoint& p) {
+    points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
+  };
+  const auto add_place = [&](const Place& place) { places.insert(places.end(), place.begin(), place.end()); };
   Node geometry("IndexedFaceSet"), coordinate("Coordinate"), texture_coordinate("TextureCoordinate");
-  geometry.set("coordIndex", std::move(coord_index)).set("texCoordIndex", std::move(uv_index));
+  constexpr std::size_t kPoint = 20, kPlace = 12, kIndex = 4;  // bytes of text
+  const std::size_t both = number_of_both.items().size(), alone = number_of_point.items().size();
+  if (kPoint * (both - alone) + kPlace * both <=
+      kPlace * number_of_place.items().size() + kIndex * place_index.size()) {
+    for (const auto& [point, place] : number_of_both.items()) {
+      add_point(point);
+      add_place(place);
+    }
+    geometry.set("coordIndex", std::move(both_index));
+  } else {
+    for (const auto& point : number_of_point.items()) add_point(point);
+    for (const auto& place : number_of_place.items()) add_place(place);
+    geometry.set("coordIndex", std::move(point_index)).set("texCoordIndex", std::move(place_index));
+  }
   geometry.add("coord", coordinate.set("point", std::move(points)));
-  geometry.add("texCoord", texture_coordinate.set("point", std::move(uvs)));
+  return geometry.add("texCoord", texture_coordinate.set("point", std::move(places)));
+}
+
+}  // namespace
+
+Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces) {
+  assert(!faces.empty());
+  Node geometry = under_image(faces);
   Node appearance("Appearance", "IMAGE-" + image), material("Material"), texture("ImageTexture");
   material.set("ambientIntensity", 0.0).set("diffuseColor", std::vector<double>{1, 1, 1});
   appearance.add("material", material);

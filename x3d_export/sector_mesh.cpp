@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <set>
 
+#include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
@@ -48,34 +49,45 @@ void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m,
   for (std::size_t i = 1; i < line.size(); ++i) faces.add_wall(line[i - 1], line[i], bottom_m, top_m, colour);
 }
 
-/// Are a house's walls and roof drawn in these layers?
-using Drawn = std::function<bool(const std::string& house_id)>;
+bool is_drawn(const Building& house, Detail detail, const CityIndex& index, const Sector& sector) {
+  return detail != Detail::tall || index.tall_houses_of(sector.id).contains(house.id);
+}
 
-Drawn drawn_at(Detail detail, const CityIndex& index, const Sector& sector) {
-  if (detail == Detail::far) return [](const std::string&) { return true; };
-  if (detail == Detail::tall)
-    return [&](const std::string& id) { return index.tall_houses_of(sector.id).contains(id); };
-  return [ids = houses_with_levels(index, sector)](const std::string& id) {
-    return !std::binary_search(ids.begin(), ids.end(), id);
+using Stretches = std::set<std::pair<PlanPoint, PlanPoint>>;
+
+/// The walls of a border, corner by corner, but those that come with levels of detail.
+void add_walls_without_levels(FaceList& faces, const Border& border, const Building& house, const Stretches& levels) {
+  const auto runs = straight_runs(border.line);
+  const auto has_levels = [&](std::size_t i) {
+    return levels.contains({border.line[runs[i]], border.line[runs[i + 1]]});
   };
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+    if (!has_levels(i))
+      add_walls(faces,
+                Line(border.line.begin() + static_cast<std::ptrdiff_t>(runs[i]),
+                     border.line.begin() + static_cast<std::ptrdiff_t>(runs[i + 1]) + 1),
+                0, wall_top_m(house), house.wall_colour);
 }
 
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
-void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail, const Drawn& is_drawn) {
+void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+  const Stretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : Stretches();
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
-    if (!house || house->base_m > 0 || !is_drawn(house->id)) continue;
-    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), 0, wall_top_m(*house),
-              house->wall_colour);
+    if (!house || house->base_m > 0 || !is_drawn(*house, detail, index, sector)) continue;
+    if (detail == Detail::near)
+      add_walls_without_levels(faces, *border, *house, levels);
+    else
+      add_walls(faces, simplified(border->line), 0, wall_top_m(*house), house->wall_colour);
   }
 }
 
 /// Roofs, side walls and undersides of the houses that this sector sends.
-void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, const Drawn& is_drawn) {
+void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   for (const Building* house : index.buildings_of(sector.id))
-    if (is_drawn(house->id)) add_body(faces, *house);
+    if (is_drawn(*house, detail, index, sector)) add_body(faces, *house);
 }
 
 void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector) {
@@ -120,9 +132,8 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
   FaceList& floor = detail == Detail::far ? houses : ground;
   if (detail != Detail::tall)
     floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
-  const Drawn is_drawn = drawn_at(detail, index, sector);
-  add_facades(houses, index, sector, detail, is_drawn);
-  add_houses(houses, index, sector, is_drawn);
+  add_facades(houses, index, sector, detail);
+  add_houses(houses, index, sector, detail);
   if (detail == Detail::near) {
     add_barriers(barriers, index, sector);
     add_objects(objects, index, sector);

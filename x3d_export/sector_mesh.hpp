@@ -10,7 +10,7 @@ namespace vicus {
 enum class Detail { near, far, tall };
 
 /// One layer per material that the sector has, never an empty one, at most five.
-/// near: without the houses that come with levels of detail (house_nodes.hpp).
+/// near: without the facades that come with levels of detail (house_nodes.hpp).
 /// Frame   the sector's own.
 /// far: one layer, houses and ground only, facade lines simplified by at most kFarTolerance.
 /// tall: of far, only what belongs to houses that some other sector sees over roofs; no layer where there are none.

@@ -1,7 +1,6 @@
 #include "x3d_export/sector_scene.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -63,29 +62,29 @@ void add_content(Scene& scene, const SectorParts& parts, std::vector<Node> conte
   std::move(content.begin(), content.end(), std::back_inserter(scene.nodes));
 }
 
-/// Text that the nodes take in a file.
-std::size_t size_of(const std::vector<Node>& nodes, SceneFormat format) {
-  Scene scene;
-  static const std::map<SceneFormat, std::size_t> kEmpty = {
-      {SceneFormat::x3d, write_scene(scene, SceneFormat::x3d).size()},
-      {SceneFormat::vrml, write_scene(scene, SceneFormat::vrml).size()},
-      {SceneFormat::x3dj, write_scene(scene, SceneFormat::x3dj).size()}};
-  scene.nodes = nodes;
-  return write_scene(scene, format).size() - kEmpty.at(format);
+/// A node and the bytes it takes in a file.
+struct SizedNode {
+  Node node;
+  std::size_t size = 0;
+};
+
+SizedNode sized(Node node, SceneFormat format) {
+  const std::size_t size = written_size(node, format);
+  return {std::move(node), size};
 }
 
 /// A layer as Shapes, in as many slices as it takes that none is larger than `limit`.
-std::vector<Node> shapes_of(const Layer& layer, SceneFormat format, std::size_t limit) {
+std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::size_t limit) {
   for (std::size_t count = 1;; ++count) {
-    std::vector<Node> shapes;
+    std::vector<SizedNode> shapes;
     bool fits = true;
     const std::size_t n = layer.faces.size();
     for (std::size_t i = 0; i < count && fits; ++i) {
       const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
       if (faces.empty()) continue;
-      shapes.push_back(shape_of(layer.name, layer.surface, faces));
-      fits = faces.size() == 1 || size_of({shapes.back()}, format) <= limit;
-      if (!fits) count = std::max(count, std::min(n, size_of({shapes.back()}, format) * count / limit));
+      shapes.push_back(sized(shape_of(layer.name, layer.surface, faces), format));
+      fits = faces.size() == 1 || shapes.back().size <= limit;
+      if (!fits) count = std::max(count, std::min(n, shapes.back().size * count / limit));
     }
     if (fits) return shapes;
   }
@@ -104,12 +103,10 @@ int count_all_shapes(const std::vector<Node>& nodes) {
 }
 
 /// Nodes in order, one list for each file: the first as large as `first`, the others as `limit`, but a list of one.
-std::vector<std::vector<Node>> packed(std::vector<Node> nodes, SceneFormat format, std::size_t first,
-                                      std::size_t limit) {
+std::vector<std::vector<Node>> packed(std::vector<SizedNode> nodes, std::size_t first, std::size_t limit) {
   std::vector<std::vector<Node>> files(1);
   std::size_t room = first;
-  for (Node& node : nodes) {
-    const std::size_t size = size_of({node}, format);
+  for (auto& [node, size] : nodes) {
     if (size > room) {
       files.emplace_back();
       room = limit;
@@ -120,12 +117,13 @@ std::vector<std::vector<Node>> packed(std::vector<Node> nodes, SceneFormat forma
   return files;
 }
 
-std::vector<Node> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit) {
-  std::vector<Node> nodes;
+std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit) {
+  std::vector<SizedNode> nodes;
   for (const Layer& layer : layers)
-    for (Node& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
+    for (auto& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)
-    for (Node& house : house_nodes(parts.index, parts.sector, parts.format)) nodes.push_back(std::move(house));
+    for (Node& house : house_nodes(parts.index, parts.sector, parts.format))
+      nodes.push_back(sized(std::move(house), parts.format));
   return nodes;
 }
 
@@ -165,11 +163,15 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
   const std::size_t frame = write_scene(empty_scene(parts, kMostParts), format).size();
   constexpr std::size_t kInline = 120;  // an Inline that draws a part in, with a long name
   const std::size_t room = limit - std::min(limit / 2, frame);
-  std::vector<Node> nodes = content_of(parts, layers, room);
-  const int shapes = count_all_shapes(nodes);
-  const std::size_t inlines = kInline * (size_of(nodes, format) / room + 2);
-  std::vector<std::vector<Node>> files =
-      packed(std::move(nodes), format, limit - std::min(limit, head + inlines), room);
+  std::vector<SizedNode> nodes = content_of(parts, layers, room);
+  int shapes = 0;
+  std::size_t size = 0;
+  for (const SizedNode& n : nodes) {
+    shapes += count_shapes(n.node);
+    size += n.size;
+  }
+  const std::size_t inlines = kInline * (size / room + 2);
+  auto files = packed(std::move(nodes), limit - std::min(limit, head + inlines), room);
 
   std::vector<Node> content = std::move(files.front());
   std::vector<ExportFile> out(1);

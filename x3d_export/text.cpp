@@ -58,16 +58,16 @@ void append_number(std::string& out, double value, int decimals) {
     out += '-';
     scaled = -scaled;
   }
-  char buffer[24];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, scaled / power).ptr;
-  out.append(buffer, end);
+  char buffer[32];
+  char* end = std::to_chars(buffer, buffer + 24, scaled / power).ptr;
   std::int64_t rest = scaled % power;
-  if (rest == 0) return;
-  out += '.';
-  for (std::int64_t digit = power / 10; rest != 0; digit /= 10) {
-    out += static_cast<char>('0' + rest / digit);
-    rest %= digit;
+  if (rest != 0) {
+    for (char* digit = end + decimals; digit > end; --digit, rest /= 10) *digit = static_cast<char>('0' + rest % 10);
+    *end = '.';
+    end += decimals + 1;
+    while (end[-1] == '0') --end;
   }
+  out.append(buffer, end);
 }
 
 void append_numbers(std::string& out, const std::vector<double>& values, int decimals, int width, char between) {

@@ -37,7 +37,12 @@ class VrmlWriter {
       if (is_written(node)) write_node(node);
     for (const auto& r : scene.routes)
       out_ += "ROUTE " + r.from_node + "." + r.from_field + " TO " + r.to_node + "." + r.to_field + "\n";
-    return out_;
+    return std::move(out_);
+  }
+
+  std::size_t size(const Node& node) {
+    if (is_written(node)) write_node(node);
+    return out_.size();
   }
 
  private:
@@ -125,5 +130,6 @@ class VrmlWriter {
 }  // namespace
 
 std::string write_vrml(const Scene& scene) { return VrmlWriter().write(scene); }
+std::size_t size_in_vrml(const Node& node) { return VrmlWriter().size(node); }
 
 }  // namespace vicus

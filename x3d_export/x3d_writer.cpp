@@ -13,20 +13,18 @@ std::string quoted_list(const std::vector<std::string>& strings) {
   return out;
 }
 
-/// The value as it stands between the apostrophes of an attribute.
-std::string attribute_value(FieldType type, const FieldValue& value) {
-  std::string out;
+/// Appends the value as it stands between the apostrophes of an attribute.
+void append_value(std::string& out, FieldType type, const FieldValue& value) {
   if (const auto* b = std::get_if<bool>(&value))
-    out = *b ? "true" : "false";
+    out += *b ? "true" : "false";
   else if (const auto* s = std::get_if<std::string>(&value))
-    out = xml_escaped(*s);
+    out += xml_escaped(*s);
   else if (const auto* list = std::get_if<std::vector<std::string>>(&value))
-    out = xml_escaped(quoted_list(*list));
+    out += xml_escaped(quoted_list(*list));
   else if (const auto* indices = std::get_if<std::vector<std::int32_t>>(&value))
     append_indices(out, *indices);
   else
     append_numbers(out, std::get<std::vector<double>>(value), decimals_of(type), width_of(type));
-  return out;
 }
 
 class X3dWriter {
@@ -46,7 +44,13 @@ class X3dWriter {
     for (const auto& r : scene.routes)
       out_ += "<ROUTE fromNode='" + r.from_node + "' fromField='" + r.from_field + "' toNode='" + r.to_node +
               "' toField='" + r.to_field + "'/>\n";
-    return out_ + "</Scene>\n</X3D>\n";
+    out_ += "</Scene>\n</X3D>\n";
+    return std::move(out_);
+  }
+
+  std::size_t size(const Node& node) {
+    write_node(node, "children");
+    return out_.size();
   }
 
  private:
@@ -56,13 +60,18 @@ class X3dWriter {
   void attribute(std::string_view name, std::string_view value) {
     out_.append(" ").append(name).append("='").append(value).append("'");
   }
+  void attribute(std::string_view name, FieldType type, const FieldValue& value) {
+    out_.append(" ").append(name).append("='");
+    append_value(out_, type, value);
+    out_ += '\'';
+  }
 
   void write_node(const Node& node, std::string_view container) {
     const NodeSpec& spec = *find_node_spec(node.type);
     out_ += '<' + node.type;
     if (!node.def.empty()) attribute("DEF", node.def);
     if (!node.use.empty()) attribute("USE", node.use);
-    for (const auto& f : node.fields) attribute(f.name, attribute_value(find_field_spec(spec, f.name)->type, f.value));
+    for (const auto& f : node.fields) attribute(f.name, find_field_spec(spec, f.name)->type, f.value);
     // A Script's own fields hold nodes by the field's name, which is no containerField.
     if (container != spec.container && !container.empty()) attribute("containerField", container);
     if (node.nodes.empty() && node.interface.empty()) {
@@ -82,7 +91,7 @@ class X3dWriter {
     attribute("type", name_of(f.type));
     attribute("accessType", name_of(f.access));
     const bool is_node = f.type == FieldType::sf_node || f.type == FieldType::mf_node;
-    if (f.access == Access::initialize_only && !is_node) attribute("value", attribute_value(f.type, f.value));
+    if (f.access == Access::initialize_only && !is_node) attribute("value", f.type, f.value);
     if (f.nodes.empty()) {
       out_ += "/>\n";
       return;
@@ -98,6 +107,7 @@ class X3dWriter {
 }  // namespace
 
 std::string write_x3d(const Scene& scene) { return X3dWriter().write(scene); }
+std::size_t size_in_x3d(const Node& node) { return X3dWriter().size(node); }
 
 std::string write_scene(const Scene& scene, SceneFormat format) {
   switch (format) {
@@ -110,6 +120,19 @@ std::string write_scene(const Scene& scene, SceneFormat format) {
   }
   assert(false);
   return {};
+}
+
+std::size_t written_size(const Node& node, SceneFormat format) {
+  switch (format) {
+    case SceneFormat::x3d:
+      return size_in_x3d(node);
+    case SceneFormat::vrml:
+      return size_in_vrml(node);
+    case SceneFormat::x3dj:
+      return size_in_x3dj(node);
+  }
+  assert(false);
+  return 0;
 }
 
 const char* suffix_of(SceneFormat format) {

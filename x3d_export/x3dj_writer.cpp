@@ -46,7 +46,14 @@ class X3djWriter {
       out_ += "{\"ROUTE\":{\"@fromNode\":" + json_string(r.from_node) + ",\"@fromField\":" + json_string(r.from_field) +
               ",\"@toNode\":" + json_string(r.to_node) + ",\"@toField\":" + json_string(r.to_field) + "}}";
     }
-    return out_ + "\n]}}}\n";
+    out_ += "\n]}}}\n";
+    return std::move(out_);
+  }
+
+  std::size_t size(const Node& node) {
+    out_ = ",";  // so that the next one is told from it
+    write_node(node);
+    return out_.size();
   }
 
  private:
@@ -115,5 +122,6 @@ class X3djWriter {
 }  // namespace
 
 std::string write_x3dj(const Scene& scene) { return X3djWriter().write(scene); }
+std::size_t size_in_x3dj(const Node& node) { return X3djWriter().size(node); }
 
 }  // namespace vicus

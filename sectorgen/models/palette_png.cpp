@@ -38,7 +38,7 @@ Indexed quantised(const Canvas& picture, int colours) {
   const Handle<liq_attr, liq_attr_destroy> attributes(liq_attr_create());
   check(attributes != nullptr);
   liq_set_max_colors(attributes.get(), colours);
-  liq_set_speed(attributes.get(), 4);
+  liq_set_speed(attributes.get(), 8);
   const Handle<liq_image, liq_image_destroy> image(
       liq_image_create_rgba(attributes.get(), rgba.data(), picture.width(), picture.height(), 0));
   check(image != nullptr);
@@ -88,7 +88,7 @@ Bytes packed_rows(const Indexed& image, int bits) {
 }
 
 Bytes deflated(const Bytes& data) {
-  const Handle<libdeflate_compressor, libdeflate_free_compressor> compressor(libdeflate_alloc_compressor(12));
+  const Handle<libdeflate_compressor, libdeflate_free_compressor> compressor(libdeflate_alloc_compressor(10));
   if (!compressor) throw CityError("an image could not be packed: out of memory");
   Bytes out(libdeflate_zlib_compress_bound(compressor.get(), data.size()));
   out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(), out.size()));
