@@ -16,6 +16,7 @@ build_packages=(
   libboost-dev                                      # HTTP (Beast, Asio: headers only)
   libbrotli-dev libdeflate-dev libssl-dev           # codings and hashes of what is sent
   libimagequant-dev                                 # palettes of textures
+  libdraco-dev                                      # glTF's geometry
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )

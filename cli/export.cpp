@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -11,11 +12,13 @@
 #include "cli/command.hpp"
 #include "cli/near_names.hpp"
 #include "httpd/static_files.hpp"
+#include "x3d_export/glb.hpp"
 #include "x3d_export/house_shell.hpp"
 #include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 #include "x3d_export/svg_map.hpp"
+#include "x3d_export/tileset.hpp"
 
 namespace vicus::cli {
 namespace {
@@ -33,7 +36,8 @@ struct Written {
   std::size_t files = 0, bytes = 0;
 };
 
-const std::vector<std::string> kFormats = {"svg", "x3d", "vrml", "x3dj", "site", "portals", "obj", "cityjson"};
+const std::vector<std::string> kFormats = {"svg",     "x3d", "vrml",     "x3dj", "site",
+                                           "portals", "obj", "cityjson", "glb",  "3dtiles"};
 
 void write_file(const fs::path& path, std::string_view bytes, Written& written) {
   fs::create_directories(path.parent_path().empty() ? "." : path.parent_path());
@@ -69,18 +73,38 @@ void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat f
   }
 }
 
+std::string stored_texture(const CityReader& reader, const fs::path& city_file, const std::string& id) {
+  const std::string path = "textures/" + id + ".png";
+  auto image = reader.artefact(path, {"identity"});
+  if (!image) throw CityError(city_file.string() + " lacks " + path + ": build the city again");
+  return std::move(image->body);
+}
+
 /// The images that sectors refer to, as they are stored.
 void write_textures(const City& city, const fs::path& city_file, const fs::path& folder, Written& written) {
   const CityReader reader(city_file);
   std::set<std::string> ids;
   for (const auto& facade : city.facades) ids.insert(facade.texture);
   if (const auto atlas = city.meta.find("atlas"); atlas != city.meta.end()) ids.insert(atlas->second);
-  for (const auto& id : ids) {
-    const std::string path = "textures/" + id + ".png";
-    const auto image = reader.artefact(path, {"identity"});
-    if (!image) throw CityError(city_file.string() + " lacks " + path + ": build the city again");
-    write_file(folder / path, image->body, written);
+  for (const auto& id : ids)
+    write_file(folder / "textures" / (id + ".png"), stored_texture(reader, city_file, id), written);
+}
+
+/// Sectors as binary glTF; as 3D Tiles with their far files and the tree over all.
+void write_glb(const CityIndex& index, const fs::path& city_file, const fs::path& folder, bool is_tileset,
+               Written& written) {
+  const CityReader reader(city_file);
+  std::map<std::string, std::string> images;
+  const auto image = [&](const std::string& id) {
+    if (const auto known = images.find(id); known != images.end()) return known->second;
+    return images[id] = stored_texture(reader, city_file, id);
+  };
+  for (const auto& sector : index.city().sectors) {
+    const std::string stem = "sectors/" + sector.id;
+    write_file(folder / (stem + ".glb"), sector_glb(index, sector, Detail::near, image), written);
+    if (is_tileset) write_file(folder / (stem + ".far.glb"), sector_glb(index, sector, Detail::far, image), written);
   }
+  if (is_tileset) write_file(folder / "tileset.json", tileset_json(index), written);
 }
 
 void write_root(const CityIndex& index, const Arguments& arguments, const fs::path& folder, SceneFormat format,
@@ -130,6 +154,8 @@ Written write_folder(const CityIndex& index, const Arguments& arguments) {
   try {
     if (arguments.format == "site") {
       write_site(index, arguments, fresh, written);
+    } else if (arguments.format == "glb" || arguments.format == "3dtiles") {
+      write_glb(index, arguments.city, fresh, arguments.format == "3dtiles", written);
     } else {
       const auto format = arguments.format == "x3d"    ? SceneFormat::x3d
                           : arguments.format == "vrml" ? SceneFormat::vrml
@@ -234,17 +260,18 @@ void export_city(Arguments arguments, Context& context) {
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
-  auto* command =
-      new_command(app, context, "export", "a city in other formats: a map, X3D, a web site, portals, solids",
-                  "vicus export city.gpkg --format svg --labels -o city.svg\n"
-                  "  vicus export city.gpkg --format svg --lvis r12 -o r12.svg");
+  auto* command = new_command(app, context, "export",
+                              "a city in other formats: a map, X3D, a web site, portals, solids, glTF, 3D Tiles",
+                              "vicus export city.gpkg --format svg --labels -o city.svg\n"
+                              "  vicus export city.gpkg --format svg --lvis r12 -o r12.svg");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("CITY", arguments->city, "a city made by vicus build")->required();
   command
       ->add_option("--format", arguments->format,
                    "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server; "
                    "portals: convex cells and portals (PRT1) for other visibility programs, with OUT.json beside; "
-                   "obj, cityjson: houses as closed solids")
+                   "obj, cityjson: houses as closed solids; glb: a folder of sectors as binary glTF (Draco); 3dtiles: "
+                   "the same as a tree for CesiumJS, tileset.json")
       ->required()
       ->check(CLI::IsMember(kFormats));
   command->add_option("-o,--output", arguments->out, "file or folder; else named after the city, here");

@@ -1,6 +1,7 @@
 #include "x3d_export/house_nodes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <set>
 
@@ -113,6 +114,20 @@ std::set<std::pair<PlanPoint, PlanPoint>> stretches_with_levels(const CityIndex&
   for (const auto& [id, share] : shares_of(index, sector))
     for (const Facade* facade : share.facades) stretches.insert({facade->a, facade->b});
   return stretches;
+}
+
+LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int level) {
+  assert(level >= 1 && level <= 4);
+  LevelFaces all;
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  for (const auto& [id, share] : shares_of(index, sector))
+    for (const Piece& piece : pieces_of(share, sector.origin)) {
+      const LevelFaces& faces = piece.levels[level - 1];
+      append(all.solid, faces.solid);
+      append(all.atlas, faces.atlas);
+      append(all.own_images, faces.own_images);
+    }
+  return all;
 }
 
 std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "x3d_export/city_index.hpp"
+#include "x3d_export/facade_levels.hpp"
 #include "x3d_export/writers.hpp"
 
 /// The facades of a near sector file: for each house, one LOD node (several for a long one) with the four levels of
@@ -22,6 +23,10 @@ int finest_level(const CityIndex& index, const Sector& sector);
 /// Stretches of the sector's border, from a to b, whose walls come as LOD nodes: the facades with openings. All other
 /// walls and the roofs look the same in every level, so they are sent once, in the sector's layers (sector_mesh.hpp).
 std::set<std::pair<PlanPoint, PlanPoint>> stretches_with_levels(const CityIndex& index, const Sector& sector);
+
+/// All facades of a sector in one of the levels, 1 ... 4, for formats that choose the level otherwise.
+/// Frame   the sector's own.
+LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int level);
 
 /// Frame   the sector's own.   Urls  "../textures/ID.png".
 /// Differs VRML97 gets the second level alone, as Groups: its LOD names the levels `level`, which view3dscene 4.2, the

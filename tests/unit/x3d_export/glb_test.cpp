@@ -1,0 +1,142 @@
+#include "x3d_export/glb.hpp"
+
+#include <draco/compression/decode.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "city_db/issues.hpp"
+#include "tests/support/sample_city.hpp"
+#include "x3d_export/house_nodes.hpp"
+
+namespace vicus {
+namespace {
+
+using nlohmann::json;
+
+struct Glb {
+  json gltf;
+  std::string buffer;
+};
+
+std::uint32_t u32(const std::string& s, std::size_t at) {
+  std::uint32_t v = 0;
+  for (std::size_t i = 4; i-- > 0;) v = (v << 8) | static_cast<unsigned char>(s[at + i]);
+  return v;
+}
+
+Glb opened(const std::string& file) {
+  EXPECT_EQ(file.substr(0, 4), "glTF");
+  EXPECT_EQ(u32(file, 4), 2u);
+  EXPECT_EQ(u32(file, 8), file.size());
+  const std::size_t json_size = u32(file, 12);
+  Glb glb{json::parse(file.substr(20, json_size)), {}};
+  if (const std::size_t at = 20 + json_size; at < file.size()) glb.buffer = file.substr(at + 8, u32(file, at));
+  return glb;
+}
+
+std::string view_of(const Glb& glb, int view) {
+  const json& v = glb.gltf["bufferViews"][static_cast<std::size_t>(view)];
+  return glb.buffer.substr(v["byteOffset"], v["byteLength"]);
+}
+
+/// Corners of every triangle, mm, by somebody else's decoder; also checks counts and bounds that the JSON states.
+std::multiset<std::array<X3dPoint, 3>> triangles_of(const Glb& glb) {
+  std::multiset<std::array<X3dPoint, 3>> out;
+  for (const json& primitive : glb.gltf["meshes"][0]["primitives"]) {
+    const json& extension = primitive["extensions"]["KHR_draco_mesh_compression"];
+    const std::string bytes = view_of(glb, extension["bufferView"]);
+    draco::DecoderBuffer buffer;
+    buffer.Init(bytes.data(), bytes.size());
+    auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
+    EXPECT_TRUE(decoded.ok());
+    const auto mesh = std::move(decoded).value();
+    const auto* positions = mesh->GetAttributeByUniqueId(extension["attributes"]["POSITION"]);
+    const json& accessor = glb.gltf["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    EXPECT_EQ(accessor["count"], mesh->num_points());
+    EXPECT_EQ(glb.gltf["accessors"][primitive["indices"].get<std::size_t>()]["count"], 3 * mesh->num_faces());
+    for (draco::FaceIndex f(0); f < mesh->num_faces(); ++f) {
+      std::array<X3dPoint, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::array<float, 3> p{};
+        positions->GetMappedValue(mesh->face(f)[k], p.data());
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_NEAR(p[i] * 1000, std::round(p[i] * 1000), 0.1) << "off the lattice";
+          EXPECT_GE(p[i], accessor["min"][i].get<double>() - 1e-4);
+          EXPECT_LE(p[i], accessor["max"][i].get<double>() + 1e-4);
+        }
+        corners[k] = {height_mm(p[0]), height_mm(p[1]), height_mm(p[2])};
+      }
+      // The coder may turn a triangle's corners round.
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      out.insert(corners);
+    }
+  }
+  return out;
+}
+
+template <class F>
+void add_fan(std::multiset<std::array<X3dPoint, 3>>& out, const F& face, std::size_t count) {
+  for (std::size_t k = 2; k < count; ++k) {
+    std::array<X3dPoint, 3> corners{face.corners[0], face.corners[k - 1], face.corners[k]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    // Triangles that fold flat are the coder's to drop.
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[0] != corners[2]) out.insert(corners);
+  }
+}
+
+std::string some_image(const std::string& id) { return "PNG of " + id; }
+
+TEST(SectorGlb, HoldsEveryTriangleToTheMillimetre) {
+  const City city = test::sample_city_with_facades();
+  const CityIndex index(city);
+  for (const Sector& sector : city.sectors)
+    for (const Detail detail : {Detail::near, Detail::far}) {
+      std::multiset<std::array<X3dPoint, 3>> expected;
+      for (const Layer& layer : sector_layers(index, sector, detail))
+        for (const Face& face : layer.faces) add_fan(expected, face, static_cast<std::size_t>(face.count));
+      if (detail == Detail::near) {
+        const LevelFaces facades = sector_facades(index, sector, 3);
+        for (const Face& face : facades.solid) add_fan(expected, face, static_cast<std::size_t>(face.count));
+        for (const TexturedFace& face : facades.atlas) add_fan(expected, face, 4);
+        for (const auto& [image, face] : facades.own_images) add_fan(expected, face, 4);
+      }
+      EXPECT_EQ(triangles_of(opened(sector_glb(index, sector, detail, some_image))), expected) << sector.id;
+    }
+}
+
+TEST(SectorGlb, CarriesImagesIdsAndLicences) {
+  City city = test::sample_city_with_facades();
+  city.meta["licences"] = "© somebody";
+  const CityIndex index(city);
+  std::size_t images = 0;
+  for (const Sector& sector : city.sectors) {
+    const Glb glb = opened(sector_glb(index, sector, Detail::near, some_image));
+    EXPECT_EQ(glb.gltf["asset"]["copyright"], "© somebody");
+    const json& extras = glb.gltf["nodes"][0]["extras"];
+    EXPECT_EQ(extras["sector"], sector.id);
+    for (const Building* house : index.buildings_of(sector.id))
+      EXPECT_NE(std::find(extras["houses"].begin(), extras["houses"].end(), house->id), extras["houses"].end());
+    if (!glb.gltf.contains("images")) continue;
+    for (const json& image : glb.gltf["images"]) {
+      EXPECT_EQ(view_of(glb, image["bufferView"]).substr(0, 7), "PNG of ");
+      ++images;
+    }
+  }
+  EXPECT_GT(images, 3u);
+}
+
+TEST(SectorGlb, NamesAMissingImage) {
+  const City city = test::sample_city_with_facades();
+  const CityIndex index(city);
+  const auto none = [](const std::string& id) -> std::string { throw CityError("no image " + id); };
+  EXPECT_THROW(
+      {
+        for (const Sector& sector : city.sectors) sector_glb(index, sector, Detail::near, none);
+      },
+      CityError);
+}
+
+}  // namespace
+}  // namespace vicus
