@@ -87,20 +87,23 @@ struct Branch {
 
 class Search {
  public:
-  Search(const SightMap& map, std::uint64_t budget) : map_(map), budget_(budget), seen_(map.sector_count(), kNowhere) {}
+  Search(const SightMap& map, std::uint64_t budget)
+      : map_(map),
+        budget_(budget),
+        seen_(map.sector_count(), kNowhere),
+        met_(map.groups.size(), kNowhere),
+        is_house_found_(map.owner.size(), 0) {}
 
   /// false: the budget is used up.
   bool run(std::uint32_t sector) {
-    source_ = sector;
-    found_.clear();
-    mark(sector);
+    start(sector);
     steps_ = 0;
     lines_.clear();
     followed_.clear();
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t side = map_.cells[c].beyond[k];
-        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
         if (!look_through(side)) return false;
       }
     return true;
@@ -110,20 +113,23 @@ class Search {
     std::sort(found_.begin(), found_.end());
     return found_;
   }
+  std::vector<std::uint32_t> houses() {
+    std::sort(houses_.begin(), houses_.end());
+    return houses_;
+  }
   std::uint64_t steps() const { return steps_; }
 
   /// Every sector that a walk through sides not wholly behind one side of the rim reaches: no line is missed.
   void flood(std::uint32_t sector) {
-    source_ = sector;
-    found_.clear();
     std::fill(seen_.begin(), seen_.end(), kNowhere);
-    mark(sector);
+    std::fill(met_.begin(), met_.end(), kNowhere);
+    start(sector);
     std::vector<std::uint32_t> entered(map_.cells.size(), kNowhere), queue;
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const SightCell& from = map_.cells[c];
         const std::uint32_t side = from.beyond[k];
-        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
         const PlanPoint a = from.corner[(k + 1) % 3], b = from.corner[(k + 2) % 3];
         const std::uint32_t stamp = 4 * c + k;
         queue.assign(1, side >> 2);
@@ -131,9 +137,10 @@ class Search {
         while (!queue.empty()) {
           const SightCell& cell = map_.cells[queue.back()];
           queue.pop_back();
-          if (cell.sector != kNowhere) mark(cell.sector);
+          mark(cell);
           for (std::size_t s = 0; s < 3; ++s) {
-            if (cell.beyond[s] == kNowhere || entered[cell.beyond[s] >> 2] == stamp) continue;
+            if (cell.beyond[s] >= kWall) meet_wall(cell.beyond[s]);
+            if (cell.beyond[s] >= kWall || entered[cell.beyond[s] >> 2] == stamp) continue;
             // The source lies left of ab; a line through ab goes on to the right.
             if (orient(a, b, cell.corner[(s + 1) % 3]) > 0 && orient(a, b, cell.corner[(s + 2) % 3]) > 0) continue;
             entered[cell.beyond[s] >> 2] = stamp;
@@ -144,10 +151,40 @@ class Search {
   }
 
  private:
+  /// Nothing is found but the sector, and what stands at its ground.
+  void start(std::uint32_t sector) {
+    source_ = sector;
+    found_.clear();
+    for (const std::uint32_t house : houses_) is_house_found_[house] = 0;
+    houses_.clear();
+    mark(sector);
+    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c) {
+      meet(map_.cells[c].group);
+      for (const std::uint32_t side : map_.cells[c].beyond)
+        if (side >= kWall) meet_wall(side);
+    }
+  }
+
   void mark(std::uint32_t sector) {
     if (seen_[sector] == source_) return;
     seen_[sector] = source_;
     found_.push_back(sector);
+  }
+  void mark(const SightCell& cell) {
+    if (cell.sector != kNowhere) mark(cell.sector);
+    if (cell.group != 0) meet(cell.group);
+  }
+  void meet_wall(std::uint32_t side) {
+    if (side != kNowhere) meet(side - kWall);
+  }
+  void meet(std::uint32_t group) {
+    if (met_[group] == source_) return;
+    met_[group] = source_;
+    for (const std::uint32_t house : map_.groups[group]) {
+      if (is_house_found_[house] != 0) continue;
+      is_house_found_[house] = 1;
+      houses_.push_back(house);
+    }
   }
 
   bool look_through(std::uint32_t side) {
@@ -173,12 +210,14 @@ class Search {
     const std::uint32_t s = side & 3;
     // Back in the sector: what leaves it again is in the bundle that begins at the side by which it leaves.
     if (cell.sector == source_) return kNowhere;
-    if (cell.sector != kNowhere) mark(cell.sector);
+    mark(cell);
     const PlanPoint apex = cell.corner[s];
     const std::uint32_t to_right = cell.beyond[s == 2 ? 0 : s + 1], to_left = cell.beyond[s == 0 ? 2 : s - 1];
     const std::int64_t beyond_left = bundle_.beyond_leftmost(apex), beyond_right = bundle_.beyond_rightmost(apex);
-    const bool go_right = to_right != kNowhere && beyond_right >= 0;  // the apex is the left end there
-    const bool go_left = to_left != kNowhere && beyond_left <= 0;
+    bool go_right = beyond_right >= 0;  // the apex is the left end there
+    bool go_left = beyond_left <= 0;
+    if (go_right && to_right >= kWall) meet_wall(to_right), go_right = false;
+    if (go_left && to_left >= kWall) meet_wall(to_left), go_left = false;
     if (go_right && go_left) keep_branch(to_left, beyond_right > 0, apex);
     if (go_right) {
       if (beyond_left < 0) bundle_.narrow_left(apex);
@@ -202,13 +241,14 @@ class Search {
       line_queue_.pop_back();
       ++steps_;
       if (cell.sector == source_) continue;
-      if (cell.sector != kNowhere) mark(cell.sector);
+      mark(cell);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = cell.beyond[k];
-        if (beyond == kNowhere || orient(p, q, cell.corner[(k + 1) % 3]) > 0 ||
-            orient(p, q, cell.corner[(k + 2) % 3]) < 0 || !is_new(beyond >> 2))
-          continue;
-        line_queue_.push_back(beyond >> 2);
+        if (orient(p, q, cell.corner[(k + 1) % 3]) > 0 || orient(p, q, cell.corner[(k + 2) % 3]) < 0) continue;
+        if (beyond >= kWall)
+          meet_wall(beyond);
+        else if (is_new(beyond >> 2))
+          line_queue_.push_back(beyond >> 2);
       }
     }
     return kNowhere;
@@ -252,6 +292,8 @@ class Search {
   std::uint64_t budget_, steps_ = 0;
   std::uint32_t source_ = 0;
   std::vector<std::uint32_t> seen_, found_;
+  std::vector<std::uint32_t> met_, houses_;  // per group: met from this sector; the houses of these
+  std::vector<char> is_house_found_;
   Bundle bundle_;
   std::vector<Branch> branches_;
   std::vector<PlanPoint> store_;
@@ -259,6 +301,14 @@ class Search {
   std::unordered_set<std::uint64_t> followed_;  // line and cell
   std::vector<std::uint32_t> line_queue_;
 };
+
+/// Houses whose owner is in sight come with it.
+void leave_out_houses_of_listed(SightLists& lists, const SightMap& map) {
+  for (std::size_t s = 0; s < lists.houses.size(); ++s)
+    std::erase_if(lists.houses[s], [&](std::uint32_t house) {
+      return std::binary_search(lists.visible[s].begin(), lists.visible[s].end(), map.owner[house]);
+    });
+}
 
 /// A sector over its budget is seen by those that it sees: their lists say so exactly. Two over budget keep each other
 /// where both floods reach.
@@ -282,6 +332,7 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
   const unsigned threads = thread_count(options.threads);
   SightLists lists;
   lists.visible.resize(sectors);
+  lists.houses.resize(sectors);
   std::vector<Search> searches(threads, Search(map, options.step_budget));
   std::vector<std::uint64_t> steps(sectors, 0);
   std::vector<char> over(sectors, 0);
@@ -294,12 +345,14 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
     }
     steps[i] = search.steps();
     lists.visible[i] = search.found();
+    lists.houses[i] = search.houses();
   });
   for (std::uint32_t i = 0; i < sectors; ++i) {
     lists.steps += steps[i];
     if (over[i]) lists.over_budget.push_back(i);
   }
   mend_by_symmetry(lists, over);
+  leave_out_houses_of_listed(lists, map);
   return lists;
 }
 

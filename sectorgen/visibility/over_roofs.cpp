@@ -106,11 +106,10 @@ class Explorer {
         effort_(scene.targets.showings.size()),
         blocker_(scene.targets.tree.segments.size()) {}
 
-  std::vector<RoofSight> run(const City& city, std::uint32_t sector, const std::vector<std::uint32_t>& in_sight) {
+  std::vector<RoofSight> run(const City& city, std::uint32_t sector, const SightLists& level) {
     const auto& showings = scene_.targets.showings;
     for (std::uint32_t i = 0; i < showings.size(); ++i)
-      state_[i] =
-          std::binary_search(in_sight.begin(), in_sight.end(), showings[i].sector) ? State::known : State::unknown;
+      state_[i] = is_in_sight(level, sector, showings[i]) ? State::known : State::unknown;
     found_.clear();
     std::fill(effort_.begin(), effort_.end(), Effort{});
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
@@ -133,6 +132,13 @@ class Explorer {
   std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
 
  private:
+  bool is_in_sight(const SightLists& level, std::uint32_t sector, const Showing& showing) const {
+    const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t index) {
+      return std::binary_search(list.begin(), list.end(), index);
+    };
+    return has(level.visible[sector], showing.sector) || (showing.is_owner && has(level.houses[sector], showing.house));
+  }
+
   State state_of(std::uint32_t showing) const { return showing == kNowhere ? State::known : state_[showing]; }
 
   /// The least that is known of what the target shows.
@@ -360,8 +366,7 @@ class Explorer {
 
 }  // namespace
 
-RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std::uint32_t>>& in_sight,
-                            const RoofOptions& options) {
+RoofLists sights_over_roofs(const City& city, const SightLists& level, const RoofOptions& options) {
   RoofLists lists;
   lists.visible.resize(city.sectors.size());
   const Scene scene(city, options);
@@ -370,7 +375,7 @@ RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std:
   for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
   run_parallel(city.sectors.size(), threads, [&](std::size_t sector, unsigned thread) {
     if (sector % options.every != 0) return;
-    lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), in_sight[sector]);
+    lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), level);
   });
   for (const auto& explorer : explorers) {
     lists.horizons += explorer.horizons;

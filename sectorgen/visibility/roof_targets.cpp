@@ -126,14 +126,15 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
     const double top_m = std::max(body.most_top_m, body.most_ground_m + kStopsSight_m);  // above eyes on flat ground
     const auto first_showing = static_cast<std::uint32_t>(targets.showings.size());
     targets.first_of.push_back(first_showing);
+    const auto owner_sector = sectors.find(building.sector_id);
+    const std::uint32_t owner = owner_sector == sectors.end() ? kNowhere : owner_sector->second;
     const auto showing_of = [&](std::uint32_t sector) {
       for (auto i = first_showing; i < targets.showings.size(); ++i)
         if (targets.showings[i].sector == sector) return i;
-      targets.showings.push_back({sector, h});
+      targets.showings.push_back({sector, h, sector == owner});
       return static_cast<std::uint32_t>(targets.showings.size() - 1);
     };
-    const auto owner_sector = sectors.find(building.sector_id);
-    const std::uint32_t owner = owner_sector == sectors.end() ? kNowhere : showing_of(owner_sector->second);
+    const std::uint32_t owner_showing = owner == kNowhere ? kNowhere : showing_of(owner);
     const auto first_segment = static_cast<std::uint32_t>(targets.tree.segments.size());
     std::uint32_t wall = body.first_wall;
     const auto add = [&](const Ring& ring) {
@@ -146,7 +147,7 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
         const bool is_facade = found != facades.end() && found->key() == key.key();
         if (!is_facade && owner == kNowhere) continue;
         targets.facade.push_back(is_facade ? showing_of(found->sector) : kNowhere);
-        targets.owner.push_back(owner);
+        targets.owner.push_back(owner_showing);
         targets.tree.segments.push_back({w.a, w.b});
       }
     };

@@ -11,6 +11,7 @@ namespace vicus {
 /// What one sector sends of one house.
 struct Showing {
   std::uint32_t sector = 0, house = 0;
+  bool is_owner = false;  ///< it sends the roof, and walls that are no facades
 };
 
 /// A disc around everything below. A leaf is one segment.

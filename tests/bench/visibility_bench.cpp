@@ -37,7 +37,8 @@ SightLists measure_level(const City& city) {
   before = cpu_seconds();
   SightLists lists = lines_of_sight(map, {});
   const double search_s = cpu_seconds() - before;
-  std::size_t largest = 0, one_way = 0;
+  std::size_t largest = 0, one_way = 0, houses = 0;
+  for (const auto& list : lists.houses) houses += list.size();
   for (std::uint32_t a = 0; a < lists.visible.size(); ++a) {
     largest = std::max(largest, lists.visible[a].size());
     for (const std::uint32_t b : lists.visible[a])
@@ -45,9 +46,12 @@ SightLists measure_level(const City& city) {
   }
   std::printf("%zu sectors, %zu cells (%u of sectors): map %.3f CPU s, search %.3f CPU s\n", map.sector_count(),
               map.cells.size(), map.begin.back(), map_s, search_s);
-  std::printf("%.2f M steps, %.1f M a CPU second; L_vis mean %.1f, largest %zu; %zu one-way pairs, %zu over budget\n",
-              double(lists.steps) / 1e6, double(lists.steps) / 1e6 / search_s,
-              double(pairs_of(lists)) / double(map.sector_count()), largest, one_way, lists.over_budget.size());
+  std::printf(
+      "%.2f M steps, %.1f M a CPU second; L_vis mean %.1f, largest %zu; %.1f houses of other sectors each; %zu one-way "
+      "pairs, %zu over budget\n",
+      double(lists.steps) / 1e6, double(lists.steps) / 1e6 / search_s,
+      double(pairs_of(lists)) / double(map.sector_count()), largest, double(houses) / double(map.sector_count()),
+      one_way, lists.over_budget.size());
   return lists;
 }
 
@@ -61,7 +65,7 @@ void measure_roofs(const City& city, const SightLists& level, double least_m) {
   options.pair_radius_m = number_from("PAIR", options.pair_radius_m);
   options.every = static_cast<std::uint32_t>(number_from("EVERY", 1));
   const double before = cpu_seconds();
-  const RoofLists roofs = sights_over_roofs(city, level.visible, options);
+  const RoofLists roofs = sights_over_roofs(city, level, options);
   const double seconds = cpu_seconds() - before;
   const double measured = double((city.sectors.size() + options.every - 1) / options.every);
   double sectors = 0, unresolved = 0;

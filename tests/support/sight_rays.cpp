@@ -260,14 +260,13 @@ class Shooter {
     const float at = share();
     const float x = static_cast<float>(scene_.x_of(a) + at * (scene_.x_of(b) - scene_.x_of(a)));
     const float y = static_cast<float>(scene_.y_of(a) + at * (scene_.y_of(b) - scene_.y_of(a)));
-    if (is_level_) return {x - eye.x, y - eye.y, -eye.z * share() * share()};
+    if (is_level_ && share() < 0.5F) return {x - eye.x, y - eye.y, -eye.z * share() * share()};
     const double top = scene_.zero_of(house) + (house.eave_m > house.base_m ? house.eave_m : house.height_m);
     const float up = static_cast<float>(top - 0.3 * house.height_m * share() * share()) - 0.01F;
     return {x - eye.x, y - eye.y, up - eye.z};
   }
   Vec around(float turn) {
-    const float angle = turn + 0.1F * share(),
-                rise = is_level_ ? -0.15F * share() * share() : std::tan(-0.15F + 0.6F * share() * share());
+    const float angle = turn + 0.1F * share(), rise = std::tan(-0.15F + 0.6F * share() * share());
     return {std::cos(angle), std::sin(angle), rise};
   }
 
@@ -297,6 +296,7 @@ class Shooter {
     Owner found[16];
     meet(eye, directions, found);
     rays += 16;
+    if (is_level_) forget_what_is_over_roofs(eye, directions, found);
     for (int i = 0; i < 16; ++i) {
       if (found[i].sector == kNobody) continue;
       pairs.insert((std::uint64_t{sector} << 32) | found[i].sector);
@@ -306,6 +306,17 @@ class Shooter {
         missing.insert(promise_.describe(sector, found[i]) + " from " + std::to_string(eye.x) + " " +
                        std::to_string(eye.y) + " " + std::to_string(eye.z));
     }
+  }
+
+  /// What a rising ray meets counts when a level one in the same direction meets the same house.
+  void forget_what_is_over_roofs(Vec eye, const Vec* directions, Owner* found) {
+    Vec level[16];
+    for (int i = 0; i < 16; ++i) level[i] = {directions[i].x, directions[i].y, 0};
+    Owner met[16];
+    meet(eye, level, met);
+    rays += 16;
+    for (int i = 0; i < 16; ++i)
+      if (directions[i].z > 0 && (met[i].sector == kNobody || met[i].house != found[i].house)) found[i] = Owner{};
   }
 
   /// Against leaks of floats at seams: rays a millimetre beside see the same.
