@@ -24,17 +24,19 @@ struct Region {
   Spot a, b;                      // of a segment
   std::uint32_t node = kNowhere;  // an inner node; else a segment
   std::uint32_t segment = kNowhere, house = kNowhere;
-  double top_m = 0, depth_m = 0;
+  double low_m = 0, top_m = 0, up_a = 0, up_b = 0;  // of a segment the heights of a and b
   bool is_segment() const { return node == kNowhere; }
 };
 
 Region region_of(const SegmentTree& tree, std::uint32_t node) {
   const SegmentNode& n = tree.nodes[node];
-  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.top_m, n.depth_m};
+  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.low_m, n.top_m};
   if (n.segment != kNowhere) {
     region.node = kNowhere;
     region.a = tree.segments[n.segment].a;
     region.b = tree.segments[n.segment].b;
+    region.up_a = tree.segments[n.segment].up_a;
+    region.up_b = tree.segments[n.segment].up_b;
   }
   return region;
 }
@@ -46,7 +48,10 @@ std::pair<Region, Region> halves(const SegmentTree& tree, const Region& region) 
   }
   Region first = region, second = region;
   first.b = second.a = region.centre;
+  first.up_b = second.up_a = (region.up_a + region.up_b) / 2;
   for (Region* half : {&first, &second}) {
+    half->low_m = std::min(half->up_a, half->up_b);
+    half->top_m = std::max(half->up_a, half->up_b);
     half->centre = {(half->a.x + half->b.x) / 2, (half->a.y + half->b.y) / 2};
     half->radius = region.radius / 2;
   }
@@ -103,13 +108,17 @@ class Explorer {
         options_(options),
         horizon_(scene.field),
         state_(scene.targets.showings.size()),
+        unknown_in_(scene.walls.houses().size()),
         effort_(scene.targets.showings.size()),
         blocker_(scene.targets.tree.segments.size()) {}
 
   std::vector<RoofSight> run(const City& city, std::uint32_t sector, const SightLists& level) {
     const auto& showings = scene_.targets.showings;
-    for (std::uint32_t i = 0; i < showings.size(); ++i)
+    std::fill(unknown_in_.begin(), unknown_in_.end(), 0);
+    for (std::uint32_t i = 0; i < showings.size(); ++i) {
       state_[i] = is_in_sight(level, sector, showings[i]) ? State::known : State::unknown;
+      unknown_in_[showings[i].house] += state_[i] == State::unknown;
+    }
     found_.clear();
     std::fill(effort_.begin(), effort_.end(), Effort{});
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
@@ -139,39 +148,41 @@ class Explorer {
     return has(level.visible[sector], showing.sector) || (showing.is_owner && has(level.houses[sector], showing.house));
   }
 
-  State state_of(std::uint32_t showing) const { return showing == kNowhere ? State::known : state_[showing]; }
-
-  /// The least that is known of what the target shows.
-  State state_of(const Region& target) const {
-    if (target.is_segment())
-      return std::min(state_of(scene_.targets.owner[target.segment]), state_of(scene_.targets.facade[target.segment]));
-    if (target.house == kNowhere) return State::unknown;
-    State least = State::known;
-    for (auto i = scene_.targets.first_of[target.house]; i < scene_.targets.first_of[target.house + 1]; ++i)
-      least = std::min(least, state_[i]);
-    return least;
-  }
+  State state_of(const Region& target) const { return state_[scene_.targets.showing[target.segment]]; }
 
   void set_state(const Region& target, State state) {
-    for (const std::uint32_t i : {scene_.targets.owner[target.segment], scene_.targets.facade[target.segment]}) {
-      if (i == kNowhere || state_[i] >= state) continue;
-      if (state_[i] == State::unknown) found_.push_back(i);
-      state_[i] = state;
-    }
+    const std::uint32_t i = scene_.targets.showing[target.segment];
+    if (state_[i] >= state) return;
+    if (state_[i] == State::unknown) found_.push_back(i);
+    if (state == State::known) --unknown_in_[scene_.targets.showings[i].house];
+    state_[i] = state;
   }
 
-  Effort& effort_of(const Region& target) {
-    const std::uint32_t facade = scene_.targets.facade[target.segment];
-    return effort_[facade == kNowhere ? scene_.targets.owner[target.segment] : facade];
-  }
+  Effort& effort_of(const Region& target) { return effort_[scene_.targets.showing[target.segment]]; }
 
   /// No eye of the region is on the outer side of the wall.
-  static bool is_behind(const Region& eyes, const Region& wall) {
+  bool is_behind(const Region& eyes, const Region& wall) const {
+    if (!scene_.targets.is_wall[wall.segment]) return false;
     const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = std::hypot(dx, dy);
     const auto left_of = [&](Spot p) { return (dx * (p.y - wall.a.y) - dy * (p.x - wall.a.x)) / length; };
     constexpr double kSlack_m = 1e-5;
     if (eyes.is_segment()) return left_of(eyes.a) > kSlack_m && left_of(eyes.b) > kSlack_m;
     return left_of(eyes.centre) > eyes.radius + kSlack_m;
+  }
+
+  /// Everything in the disc is on the outer side of that stretch of rim, and higher than the eyes: steps back from it
+  /// lead into the sector, and only lift the line, as far as the rim where it enters.
+  bool is_seen_better_elsewhere(const Region& eyes, Spot centre, double radius, double low_m) const {
+    if (!eyes.is_segment()) {
+      const SegmentNode& n = rim_.nodes[eyes.node];
+      return is_seen_better_elsewhere(region_of(rim_, n.left), centre, radius, low_m) &&
+             is_seen_better_elsewhere(region_of(rim_, n.right), centre, radius, low_m);
+    }
+    constexpr double kSlack_m = 1e-5;
+    const Segment& rim = rim_.segments[eyes.segment];
+    const double dx = rim.b.x - rim.a.x, dy = rim.b.y - rim.a.y,
+                 inwards = (dx * (centre.y - rim.a.y) - dy * (centre.x - rim.a.x)) / std::hypot(dx, dy);
+    return inwards < -radius - kSlack_m && low_m > eye_m_;
   }
 
   /// Parts of the rim as large as the first horizon allows.
@@ -199,9 +210,10 @@ class Explorer {
       if (is_left(eyes, node)) seen.push_back(node);
       return;
     }
-    if (n.house != kNowhere && state_of(region_of(scene_.targets.tree, node)) == State::known) return;
+    if (n.house != kNowhere && unknown_in_[n.house] == 0) return;
+    if (is_seen_better_elsewhere(eyes, n.centre, n.radius, n.low_m)) return;
     ++tests;
-    if (horizon_.hides_disc(n.centre, n.radius, n.top_m, n.depth_m)) return;
+    if (horizon_.hides_disc(n.centre, n.radius, n.top_m)) return;
     search(eyes, n.left, seen);
     search(eyes, n.right, seen);
   }
@@ -209,9 +221,11 @@ class Explorer {
   /// The wall is still to be asked about: nothing hides it, and no ray proved it seen.
   bool is_left(const Region& eyes, std::uint32_t node) {
     const Region wall = region_of(scene_.targets.tree, node);
-    if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
+    if (state_of(wall) == State::known || is_behind(eyes, wall) ||
+        is_seen_better_elsewhere(eyes, wall.centre, wall.radius, wall.low_m))
+      return false;
     ++tests;
-    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m, wall.depth_m)) return false;
+    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m)) return false;
     if (!eyes.is_segment() || !is_seen(eyes, wall)) return true;
     set_state(wall, State::known);
     return false;
@@ -260,7 +274,9 @@ class Explorer {
 
   /// A part of the rim and a part of a wall, by the houses between them: true when more has to be told apart.
   bool is_unsure(const Region& eyes, const Region& target) {
-    if (state_of(target) != State::unknown || is_behind(eyes, target)) return false;
+    if (state_of(target) != State::unknown || is_behind(eyes, target) ||
+        is_seen_better_elsewhere(eyes, target.centre, target.radius, target.low_m))
+      return false;
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
     if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return false;
     if (is_seen(eyes, target)) return set_state(target, State::known), false;
@@ -295,19 +311,10 @@ class Explorer {
     return false;
   }
 
-  /// How far above the eyes lines to the target may end; to roofs, where they pass the wall: see Horizon.
-  double rise_between(const Region& eyes, const Region& target) const {
-    const double rise = target.top_m - eye_m_;
-    if (rise >= 0) return rise;
-    const double to_wall =
-        std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y) - eyes.radius - target.radius;
-    return rise * to_wall / (to_wall + target.depth_m);
-  }
-
   bool blocks(const Region& eyes, const Region& target, const Crossing& crossing) const {
     const HouseBody& body = scene_.walls.houses()[crossing.house];
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
-    const double rise = rise_between(eyes, target);
+    const double rise = target.top_m - eye_m_;
     if (!body.stands() || body.sure_top_m < eye_m_ + rise * (rise >= 0 ? crossing.from : crossing.to)) return false;
     double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
     for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
@@ -327,9 +334,14 @@ class Explorer {
   bool is_seen(const Region& eyes, const Region& target) {
     if (++effort_of(target).rays > options_.most_rays) return false;
     ++rays;
-    const Spot p = beside(eyes, kInset_m), q = beside(target, -kInset_m);
-    const double p_up = ground_at(p) + kEyeTop_m, q_up = scene_.walls.houses()[target.house].sure_top_m - kInset_m;
-    return scene_.walls.is_clear(p, p_up, q, q_up) && is_above_ground(p, p_up, q, q_up);
+    const HouseBody& body = scene_.walls.houses()[target.house];
+    const bool is_wall = scene_.targets.is_wall[target.segment];
+    const Spot p = beside(eyes, kInset_m), q = is_wall ? beside(target, -kInset_m) : target.centre;
+    const double middle_m = (target.up_a + target.up_b) / 2 - body.most_zero_m + body.sure_zero_m,
+                 p_up = ground_at(p) + kEyeTop_m,
+                 q_up = is_wall ? std::min(middle_m, body.sure_eave_m) - kInset_m : std::min(middle_m, body.sure_top_m);
+    return scene_.walls.is_clear(p, p_up, q, q_up, is_wall ? HouseWalls::kNoHouse : target.house) &&
+           is_above_ground(p, p_up, q, q_up);
   }
 
   double ground_at(Spot x) const {
@@ -358,9 +370,9 @@ class Explorer {
   bool is_last_round_ = false;
   SegmentTree rim_;
   std::vector<State> state_;
-  std::vector<std::uint32_t> found_;
-  std::vector<Effort> effort_;          // per showing
-  std::vector<std::uint32_t> blocker_;  // per wall, the house that hid it last
+  std::vector<std::uint32_t> found_, unknown_in_;  // unknown_in_: showings that are not known, per house
+  std::vector<Effort> effort_;                     // per showing
+  std::vector<std::uint32_t> blocker_;             // per wall, the house that hid it last
   std::vector<Crossing> crossings_;
 };
 

@@ -14,7 +14,7 @@ struct RoofOptions {
   double pair_radius_m = 1;                   ///< below it eyes and walls are taken pair by pair
   double least_radius_m = 0.125;              ///< and told apart down to pieces of twice this length
   std::uint32_t every = 1;                    ///< only each n-th sector, the others' lists stay empty: to measure
-  std::uint32_t most_rays = 200;              ///< to prove that a sector sees one house's walls
+  std::uint32_t most_rays = 5000;             ///< to prove that a sector sees one house's walls
   std::uint32_t most_pairs = 5000;            ///< to prove that it does not; then it stays unresolved
   std::uint32_t most_sector_pairs = 400'000;  ///< the same for all houses from one sector
   std::size_t grid_cells = 400'000'000;
