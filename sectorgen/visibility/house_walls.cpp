@@ -68,7 +68,8 @@ HouseWalls::HouseWalls(const City& city) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
         sides.push_back({a, b, static_cast<std::uint32_t>(walls_.size())});
-        walls_.push_back({spot_of(a), spot_of(b), h, kNoRoof_m});
+        walls_.push_back({spot_of(a), spot_of(b), h, kNoRoof_m, kNoRoof_m});
+        if (body.stands()) walls_.back().sure_top_m = std::nextafter(static_cast<float>(body.sure_top_m), 1e9F);
         box.add(a);
       }
     };
@@ -106,7 +107,7 @@ HouseWalls::HouseWalls(const City& city) {
   cell_walls_.resize(cell_begin_.back());
   std::vector<std::uint32_t> at(cell_begin_.begin(), cell_begin_.end() - 1);
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
-    visit_cells(walls_[w].a, walls_[w].b, [&](std::size_t cell) { return cell_walls_[at[cell]++] = w, false; });
+    visit_cells(walls_[w].a, walls_[w].b, [&](std::size_t cell) { return cell_walls_[at[cell]++] = walls_[w], false; });
 }
 
 std::size_t HouseWalls::cell_at(std::int64_t column, std::int64_t row) const {
@@ -164,7 +165,7 @@ bool HouseWalls::is_clear(Spot p, double p_up_m, Spot q, double q_up_m, std::uin
   asked.clear();
   visit_cells(p, q, [&](std::size_t cell) {
     for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-      const HouseWall& w = walls_[cell_walls_[i]];
+      const HouseWall& w = cell_walls_[i];
       const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
       if ((side_a > 0) == (side_b > 0)) continue;
       const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
@@ -228,14 +229,16 @@ void crossings_from(std::vector<Hit>& hits, std::vector<Crossing>& out) {
 
 }  // namespace
 
-void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
+void HouseWalls::cut(Spot p, Spot q, double p_up_m, double rise_m, std::vector<Crossing>& out) const {
   out.clear();
   thread_local std::vector<Hit> hits;
   hits.clear();
   Hit hit{};
   visit_cells(p, q, [&](std::size_t cell) {
     for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i)
-      if (find_hit(p, q, walls_[cell_walls_[i]], hit)) hits.push_back(hit);
+      if (find_hit(p, q, cell_walls_[i], hit) &&
+          cell_walls_[i].sure_top_m >= p_up_m + (rise_m >= 0 ? rise_m * hit.at : rise_m))
+        hits.push_back(hit);
     return false;
   });
   crossings_from(hits, out);
@@ -269,10 +272,18 @@ bool HouseWalls::reaches(const HouseBody& house, Spot x, double reach, double up
   return true;
 }
 
+bool HouseWalls::is_near_open_wall(std::uint32_t house, Spot x, double reach2) const {
+  for (std::uint32_t i = houses_[house].first_wall; i < houses_[house].last_wall; ++i)
+    if (walls_[i].beyond_m <= kNoRoof_m && distance2_to(walls_[i], x) < reach2) return true;
+  return false;
+}
+
 bool HouseWalls::is_roofed(Spot x, double radius, std::uint32_t house, double up_m) const {
   if (!houses_[house].stands()) return false;
   const double reach = radius + kDoubt_m, reach2 = reach * reach;
-  if (!reaches(houses_[house], x, reach, up_m)) return false;
+  // Cheap and mostly enough: the house's own walls.
+  if (is_near_open_wall(house, x, reach2) || !reaches(houses_[house], x, reach, up_m) || !contains(house, x))
+    return false;
   const auto low_column = static_cast<std::int64_t>(std::floor((x.x - reach - left_) / cell_m_));
   const auto high_column = static_cast<std::int64_t>(std::floor((x.x + reach - left_) / cell_m_));
   const auto low_row = static_cast<std::int64_t>(std::floor((x.y - reach - bottom_) / cell_m_));
@@ -282,14 +293,13 @@ bool HouseWalls::is_roofed(Spot x, double radius, std::uint32_t house, double up
     for (std::int64_t column = low_column; column <= high_column; ++column) {
       const std::size_t cell = cell_at(column, row);
       for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-        const HouseWall& w = walls_[cell_walls_[i]];
-        const HouseBody& own = houses_[w.house];
-        if (!own.stands() || distance2_to(w, x) >= reach2) continue;
+        const HouseWall& w = cell_walls_[i];
+        if (w.house == house || w.sure_top_m <= kNoRoof_m || distance2_to(w, x) >= reach2) continue;
         // A party wall: its other side is a wall of the other house, which is asked about in its turn.
-        if (w.beyond_m <= kNoRoof_m || (w.house != house && !reaches(own, x, reach, up_m))) return false;
+        if (w.beyond_m <= kNoRoof_m || !reaches(houses_[w.house], x, reach, up_m)) return false;
       }
     }
-  return contains(house, x);
+  return true;
 }
 
 }  // namespace vicus

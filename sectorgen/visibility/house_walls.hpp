@@ -18,6 +18,7 @@ struct HouseWall {
   Spot a, b;
   std::uint32_t house = 0;
   float beyond_m = kNoRoof_m;  ///< sure eave of the house on the other side
+  float sure_top_m = 0;        ///< of the house, or a little more; kNoRoof_m: it does not stand
 };
 
 /// A house that stands on the ground fills at least its footprint up to its roof, sure_eave_m and more, and never
@@ -44,9 +45,10 @@ class HouseWalls {
   const std::vector<HouseBody>& houses() const { return houses_; }
   const std::vector<HouseWall>& walls() const { return walls_; }
 
-  /// Where the line p -> q runs through houses, by `from`.
-  /// Needs   p in no house (on a wall is well).   Error  rounding of doubles: ends within 1 um.
-  void cut(Spot p, Spot q, std::vector<Crossing>& out) const;
+  /// Where the line p -> q, rising from p_up_m by rise_m, runs through houses that stand and surely reach it, by
+  /// `from`. A crossing may go on where it should not: beyond where the line is above the house. Needs   p in no house
+  /// (on a wall is well).   Error  rounding of doubles: ends within 1 um.
+  void cut(Spot p, Spot q, double p_up_m, double rise_m, std::vector<Crossing>& out) const;
 
   /// The same for one house.
   void cut(Spot p, Spot q, std::uint32_t house, std::vector<Crossing>& out) const;
@@ -66,6 +68,7 @@ class HouseWalls {
 
  private:
   bool contains(std::uint32_t house, Spot x) const;
+  bool is_near_open_wall(std::uint32_t house, Spot x, double reach2) const;
   bool reaches(const HouseBody& house, Spot x, double reach, double up_m) const;
   bool roof_stops(std::uint32_t house, Spot p, double p_up_m, Spot q, double q_up_m, bool is_goal) const;
   template <class Visit>
@@ -77,7 +80,8 @@ class HouseWalls {
   std::vector<RoofTriangle> triangles_;  // by house
   double cell_m_ = 12, left_ = 0, bottom_ = 0;
   std::int64_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> cell_begin_, cell_walls_;
+  std::vector<std::uint32_t> cell_begin_;
+  std::vector<HouseWall> cell_walls_;  // copies, cell by cell: lines and discs read them in a row
 };
 
 }  // namespace vicus

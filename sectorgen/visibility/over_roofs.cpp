@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "city_db/run_parallel.hpp"
 #include "city_db/terrain.hpp"
@@ -16,6 +17,13 @@ constexpr double kInset_m = 0.02;  // rays start and end this far off walls
 /// Directions of a horizon: more where a disc is so small that a bin's width would blur it.
 constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
 constexpr double kManyBinsBelow_m = 1.5;
+
+/// CPU seconds of this thread.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// A node of a tree, or a part of a leaf's segment.
 struct Region {
@@ -126,9 +134,15 @@ class Explorer {
     eye_m_ = highest_ground(city.sectors[sector], scene_.terrain) + kEyeTop_m;
     parts_.clear();
     pairs_ = 0;
+    const double begin = thread_seconds();
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
+    const double stood = thread_seconds();
     look_closer();
+    const double closer = thread_seconds();
     look_pair_by_pair();
+    first_s += stood - begin;
+    closer_s += closer - stood;
+    pairs_s += thread_seconds() - closer;
     std::vector<RoofSight> out;
     for (const std::uint32_t i : found_)
       out.push_back({showings[i].sector, showings[i].house, state_[i] == State::known});
@@ -139,6 +153,7 @@ class Explorer {
   }
 
   std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
+  double first_s = 0, closer_s = 0, pairs_s = 0;
 
  private:
   bool is_in_sight(const SightLists& level, std::uint32_t sector, const Showing& showing) const {
@@ -302,7 +317,7 @@ class Explorer {
         if (blocks(eyes, target, crossing)) return true;
     }
     ++fine_tests;
-    scene_.walls.cut(eyes.centre, target.centre, crossings_);
+    scene_.walls.cut(eyes.centre, target.centre, eye_m_, target.top_m - eye_m_, crossings_);
     for (const Crossing& crossing : crossings_)
       if (blocks(eyes, target, crossing)) {
         blocker = crossing.house;
@@ -381,7 +396,9 @@ class Explorer {
 RoofLists sights_over_roofs(const City& city, const SightLists& level, const RoofOptions& options) {
   RoofLists lists;
   lists.visible.resize(city.sectors.size());
+  const double begin = thread_seconds();
   const Scene scene(city, options);
+  lists.scene_s = thread_seconds() - begin;
   const unsigned threads = thread_count(options.threads);
   std::vector<Explorer> explorers;
   for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
@@ -394,6 +411,9 @@ RoofLists sights_over_roofs(const City& city, const SightLists& level, const Roo
     lists.tests += explorer.tests;
     lists.fine_tests += explorer.fine_tests;
     lists.rays += explorer.rays;
+    lists.first_s += explorer.first_s;
+    lists.closer_s += explorer.closer_s;
+    lists.pairs_s += explorer.pairs_s;
   }
   return lists;
 }

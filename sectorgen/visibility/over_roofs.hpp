@@ -30,6 +30,8 @@ struct RoofLists {
   /// Per sector, by sector then house; none that `level` has.
   std::vector<std::vector<RoofSight>> visible;
   std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
+  /// CPU seconds: what all sectors share; then, summed over them, first horizons, smaller ones, pairs of pieces.
+  double scene_s = 0, first_s = 0, closer_s = 0, pairs_s = 0;
 };
 
 /// For each sector the houses that some eye in it, at most kEyeTop_m above ground, may see over other houses, by the

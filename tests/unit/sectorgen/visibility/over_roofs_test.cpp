@@ -266,8 +266,8 @@ TEST(HouseWalls, CutALineWhereSamplingDoes) {
     for (int i = 0; i < 300; ++i) {
       Spot p = block.anywhere();
       const Spot q = block.anywhere();
-      p.y = -1 - 9 * block.share();  // eyes are not in houses
-      walls.cut(p, q, crossings);
+      p.y = -1 - 9 * block.share();              // eyes are not in houses
+      walls.cut(p, q, kNoRoof_m, 0, crossings);  // however high the houses are
       for (int k = 0; k < 50; ++k) {
         const double t = block.share();
         double height = 0;
