@@ -87,9 +87,10 @@ struct Branch {
 
 class Search {
  public:
-  Search(const SightMap& map, std::uint64_t budget)
+  Search(const SightMap& map, const SightOptions& options)
       : map_(map),
-        budget_(budget),
+        budget_(options.step_budget),
+        entered_(options.count_cells ? map.cells.size() : 0, kNowhere),
         seen_(map.sector_count(), kNowhere),
         met_(map.groups.size(), kNowhere),
         is_house_found_(map.owner.size(), 0) {}
@@ -118,6 +119,7 @@ class Search {
     return houses_;
   }
   std::uint64_t steps() const { return steps_; }
+  std::uint64_t cells = 0;  // different ones of each sector, where counted
 
   /// Every sector that a walk through sides not wholly behind one side of the rim reaches: no line is missed.
   void flood(std::uint32_t sector) {
@@ -171,6 +173,11 @@ class Search {
     found_.push_back(sector);
   }
   void mark(const SightCell& cell) {
+    if (!entered_.empty()) {
+      std::uint32_t& entered = entered_[static_cast<std::size_t>(&cell - map_.cells.data())];
+      cells += entered != source_;
+      entered = source_;
+    }
     if (cell.sector != kNowhere) mark(cell.sector);
     if (cell.group != 0) meet(cell.group);
   }
@@ -291,6 +298,7 @@ class Search {
   const SightMap& map_;
   std::uint64_t budget_, steps_ = 0;
   std::uint32_t source_ = 0;
+  std::vector<std::uint32_t> entered_;  // per cell: by a look of this sector; empty: not counted
   std::vector<std::uint32_t> seen_, found_;
   std::vector<std::uint32_t> met_, houses_;  // per group: met from this sector; the houses of these
   std::vector<char> is_house_found_;
@@ -333,7 +341,7 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
   SightLists lists;
   lists.visible.resize(sectors);
   lists.houses.resize(sectors);
-  std::vector<Search> searches(threads, Search(map, options.step_budget));
+  std::vector<Search> searches(threads, Search(map, options));
   std::vector<std::uint64_t> steps(sectors, 0);
   std::vector<char> over(sectors, 0);
   run_parallel(sectors, threads, [&](std::size_t i, unsigned thread) {
@@ -347,6 +355,7 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
     lists.visible[i] = search.found();
     lists.houses[i] = search.houses();
   });
+  for (const Search& search : searches) lists.cells += search.cells;
   for (std::uint32_t i = 0; i < sectors; ++i) {
     lists.steps += steps[i];
     if (over[i]) lists.over_budget.push_back(i);

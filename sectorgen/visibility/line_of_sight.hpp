@@ -10,6 +10,7 @@ namespace vicus {
 struct SightOptions {
   unsigned threads = 0;                    ///< 0: all cores
   std::uint64_t step_budget = 40'000'000;  ///< cells entered for one sector before others must tell its list
+  bool count_cells = false;                ///< to measure: how many different cells each sector's looks enter
 };
 
 struct SightLists {
@@ -17,6 +18,7 @@ struct SightLists {
   std::vector<std::vector<std::uint32_t>> houses;   ///< per sector: sorted, those whose owner is not in `visible`
   std::vector<std::uint32_t> over_budget;           ///< sectors whose lists hold each other as a superset
   std::uint64_t steps = 0;                          ///< cells entered, all sectors
+  std::uint64_t cells = 0;                          ///< the same, each once for each sector, where counted
 };
 
 /// Exact: B is listed for A when a straight line leaves A through its rim and enters B without crossing what stops

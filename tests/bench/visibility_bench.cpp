@@ -52,6 +52,10 @@ SightLists measure_level(const City& city) {
       double(lists.steps) / 1e6, double(lists.steps) / 1e6 / search_s,
       double(pairs_of(lists)) / double(map.sector_count()), largest, double(houses) / double(map.sector_count()),
       one_way, lists.over_budget.size());
+  SightOptions counting;
+  counting.count_cells = true;
+  std::printf("different cells that each sector's looks enter, all sectors: %.2f M\n",
+              double(lines_of_sight(map, counting).cells) / 1e6);
   return lists;
 }
 
