@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -85,6 +86,8 @@ struct Branch {
   std::size_t left_begin, right_begin;  // in the store; the right chain ends where the next branch begins
 };
 
+using Flooded = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sector, group
+
 class Search {
  public:
   Search(const SightMap& map, const SightOptions& options)
@@ -118,6 +121,8 @@ class Search {
     std::sort(houses_.begin(), houses_.end());
     return houses_;
   }
+  /// After a flood: groups of houses at the grounds of sectors.
+  const Flooded& flooded() const { return flooded_; }
   std::uint64_t steps() const { return steps_; }
   std::uint64_t cells = 0;  // different ones of each sector, where counted
 
@@ -125,6 +130,7 @@ class Search {
   void flood(std::uint32_t sector) {
     std::fill(seen_.begin(), seen_.end(), kNowhere);
     std::fill(met_.begin(), met_.end(), kNowhere);
+    flooded_.clear();
     start(sector);
     std::vector<std::uint32_t> entered(map_.cells.size(), kNowhere), queue;
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
@@ -139,9 +145,9 @@ class Search {
         while (!queue.empty()) {
           const SightCell& cell = map_.cells[queue.back()];
           queue.pop_back();
-          mark(cell);
+          if (cell.sector != kNowhere) mark(cell.sector);
+          flood_houses(cell);
           for (std::size_t s = 0; s < 3; ++s) {
-            if (cell.beyond[s] >= kWall) meet_wall(cell.beyond[s]);
             if (cell.beyond[s] >= kWall || entered[cell.beyond[s] >> 2] == stamp) continue;
             // The source lies left of ab; a line through ab goes on to the right.
             if (orient(a, b, cell.corner[(s + 1) % 3]) > 0 && orient(a, b, cell.corner[(s + 2) % 3]) > 0) continue;
@@ -153,6 +159,19 @@ class Search {
   }
 
  private:
+  /// On a sector's ground a house is seen only where the sector is: that is settled when its list is.
+  void flood_houses(const SightCell& cell) {
+    const auto add = [&](std::uint32_t group) {
+      if (cell.sector == kNowhere)
+        meet(group);
+      else
+        flooded_.insert({cell.sector, group});
+    };
+    if (cell.group != 0) add(cell.group);
+    for (const std::uint32_t side : cell.beyond)
+      if (side >= kWall && side != kNowhere) add(side - kWall);
+  }
+
   /// Nothing is found but the sector, and what stands at its ground.
   void start(std::uint32_t sector) {
     source_ = sector;
@@ -302,6 +321,7 @@ class Search {
   std::vector<std::uint32_t> seen_, found_;
   std::vector<std::uint32_t> met_, houses_;  // per group: met from this sector; the houses of these
   std::vector<char> is_house_found_;
+  Flooded flooded_;
   Bundle bundle_;
   std::vector<Branch> branches_;
   std::vector<PlanPoint> store_;
@@ -333,6 +353,15 @@ void mend_by_symmetry(SightLists& lists, const std::vector<char>& over) {
   for (std::size_t i = 0; i < mended.size(); ++i) lists.visible[lists.over_budget[i]] = std::move(mended[i]);
 }
 
+void add_houses_of_listed_grounds(SightLists& lists, std::uint32_t s, const Flooded& flooded, const SightMap& map) {
+  auto& houses = lists.houses[s];
+  for (const auto& [ground, group] : flooded)
+    if (std::binary_search(lists.visible[s].begin(), lists.visible[s].end(), ground))
+      houses.insert(houses.end(), map.groups[group].begin(), map.groups[group].end());
+  std::sort(houses.begin(), houses.end());
+  houses.erase(std::unique(houses.begin(), houses.end()), houses.end());
+}
+
 }  // namespace
 
 SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
@@ -344,12 +373,14 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
   std::vector<Search> searches(threads, Search(map, options));
   std::vector<std::uint64_t> steps(sectors, 0);
   std::vector<char> over(sectors, 0);
+  std::vector<Flooded> flooded(sectors);
   run_parallel(sectors, threads, [&](std::size_t i, unsigned thread) {
     const auto sector = static_cast<std::uint32_t>(i);
     Search& search = searches[thread];
     if (!search.run(sector)) {
       over[i] = 1;
       search.flood(sector);
+      flooded[i] = search.flooded();
     }
     steps[i] = search.steps();
     lists.visible[i] = search.found();
@@ -361,6 +392,7 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
     if (over[i]) lists.over_budget.push_back(i);
   }
   mend_by_symmetry(lists, over);
+  for (const std::uint32_t s : lists.over_budget) add_houses_of_listed_grounds(lists, s, flooded[s], map);
   leave_out_houses_of_listed(lists, map);
   return lists;
 }
