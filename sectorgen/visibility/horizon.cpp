@@ -38,27 +38,26 @@ void Horizon::start(Spot centre, double radius, double eye_m, std::uint32_t bins
   ++stamp_;
 }
 
-/// The greatest rise of a line from an eye to something at the distances given. Downwards, a line to a roof passes
-/// above the wall before it: at distance d by depth / (d + depth) of its fall.
-double Horizon::rise_of(double top_m, double depth_m, double nearest, double farthest) const {
-  const double height = top_m - eye_m_, to_wall = nearest - radius_;
-  return height >= 0 ? height / nearest : height * to_wall / ((to_wall + depth_m) * farthest);
+/// The greatest rise of a line from an eye to something at the distances given.
+double Horizon::rise_of(double top_m, double nearest, double farthest) const {
+  const double height = top_m - eye_m_;
+  return height >= 0 ? height / nearest : height / farthest;
 }
 
-bool Horizon::hides_disc(Spot centre, double radius, double top_m, double depth_m) {
+bool Horizon::hides_disc(Spot centre, double radius, double top_m) {
   const double dx = centre.x - centre_.x, dy = centre.y - centre_.y, distance = std::hypot(dx, dy);
   const double nearest = distance - radius;
   if (nearest <= radius_) return false;
   const double angle = std::atan2(dy, dx), half = std::asin(radius / distance);
-  return hides_bins(angle - half, angle + half, nearest, rise_of(top_m, depth_m, nearest, distance + radius));
+  return hides_bins(angle - half, angle + half, nearest, rise_of(top_m, nearest, distance + radius));
 }
 
-bool Horizon::hides_segment(Spot a, Spot b, double top_m, double depth_m) {
+bool Horizon::hides_segment(Spot a, Spot b, double top_m) {
   const double nearest = distance_to_segment(centre_, a, b);
   if (nearest <= radius_) return false;
   const double farthest =
       std::max(std::hypot(a.x - centre_.x, a.y - centre_.y), std::hypot(b.x - centre_.x, b.y - centre_.y));
-  const double rise = rise_of(top_m, depth_m, nearest, farthest);
+  const double rise = rise_of(top_m, nearest, farthest);
   const double first = std::atan2(a.y - centre_.y, a.x - centre_.x);
   double sweep = std::remainder(std::atan2(b.y - centre_.y, b.x - centre_.x) - first, kTurn);
   return sweep < 0 ? hides_bins(first + sweep, first, nearest, rise) : hides_bins(first, first + sweep, nearest, rise);

@@ -19,11 +19,10 @@ class Horizon {
   /// Eyes within `radius` of `centre`, no higher than eye_m. Keeps its memory from one disc to the next.
   void start(Spot centre, double radius, double eye_m, std::uint32_t bins);
 
-  /// Everything in the disc of targets, no higher than top_m, is hidden from every eye; so are flat roofs at top_m that
-  /// reach up to depth_m back from there, seen from above.
-  bool hides_disc(Spot centre, double radius, double top_m, double depth_m = 0);
+  /// Everything in the disc of targets, no higher than top_m, is hidden from every eye.
+  bool hides_disc(Spot centre, double radius, double top_m);
   /// The same for the points of a segment.
-  bool hides_segment(Spot a, Spot b, double top_m, double depth_m = 0);
+  bool hides_segment(Spot a, Spot b, double top_m);
 
  private:
   struct Step {
@@ -35,7 +34,7 @@ class Horizon {
     bool is_ended = false;
     std::array<Step, 12> step{};
   };
-  double rise_of(double top_m, double depth_m, double nearest, double farthest) const;
+  double rise_of(double top_m, double nearest, double farthest) const;
   bool hides_bins(double first_angle, double last_angle, double distance, double rise);
   bool hides(std::uint32_t bin, float distance, float rise);
   void follow(std::uint32_t bin_index, Bin& bin, float distance, float rise);

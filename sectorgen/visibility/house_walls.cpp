@@ -22,14 +22,29 @@ double distance2_to(const HouseWall& w, Spot p) {
   return ex * ex + ey * ey;
 }
 
-/// Surely filled up to the eave; nothing reaches above the ridge, and that is over the footprint: a line to it passes a
-/// wall of the house lower than the ridge, so walls up to there stand for it as targets.
-HouseBody body_of(const Building& b, const Terrain& terrain) {
-  const double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m;
+HouseBody body_of(const Building& b, const Terrain& terrain, const std::vector<RoofTriangle>& roof) {
+  double eave = b.eave_m > b.base_m ? std::min(b.eave_m, b.height_m) : b.height_m, top = std::max(b.eave_m, b.height_m);
+  double sure_top = eave;
+  if (!roof.empty()) {
+    eave = sure_top = roof.front().least_m();
+    for (const auto& t : roof) {
+      eave = std::min(eave, t.least_m());
+      sure_top = std::max(sure_top, t.most_m());
+    }
+    top = sure_top;
+  }
   PlanBox box;
   for (const PlanPoint p : b.footprint.outer) box.add(p);
   const HeightRange ground = box.is_empty() ? HeightRange{} : height_range(terrain, box);
-  return {b.base_m, ground.least_m + eave, ground.greatest_m + std::max(b.eave_m, b.height_m), ground.greatest_m, 0, 0};
+  HouseBody body;
+  body.base_m = b.base_m;
+  body.sure_zero_m = ground.least_m;
+  body.most_zero_m = ground.greatest_m;
+  body.sure_eave_m = ground.least_m + eave;
+  body.sure_top_m = ground.least_m + sure_top;
+  body.most_eave_m = ground.greatest_m + (roof.empty() ? top : eave);
+  body.most_top_m = ground.greatest_m + top;
+  return body;
 }
 
 }  // namespace
@@ -43,13 +58,18 @@ HouseWalls::HouseWalls(const City& city) {
   PlanBox box;
   for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
     const Building& building = city.buildings[h];
-    HouseBody body = body_of(building, city.terrain);
+    const std::vector<RoofTriangle> roof = roof_triangles(building);
+    HouseBody body = body_of(building, city.terrain, roof);
+    body.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+    triangles_.insert(triangles_.end(), roof.begin(), roof.end());
+    body.last_triangle = static_cast<std::uint32_t>(triangles_.size());
     body.first_wall = static_cast<std::uint32_t>(walls_.size());
     const auto add = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const PlanPoint a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
         sides.push_back({a, b, static_cast<std::uint32_t>(walls_.size())});
-        walls_.push_back({spot_of(a), spot_of(b), h, kNoRoof_m});
+        walls_.push_back({spot_of(a), spot_of(b), h, kNoRoof_m, kNoRoof_m});
+        if (body.stands()) walls_.back().sure_top_m = std::nextafter(static_cast<float>(body.sure_top_m), 1e9F);
         box.add(a);
       }
     };
@@ -67,7 +87,7 @@ HouseWalls::HouseWalls(const City& city) {
     for (; twin != sides.end() && twin->a == side.b && twin->b == side.a; ++twin)
       if (const HouseBody& other = houses_[walls_[twin->wall].house]; other.stands())
         walls_[side.wall].beyond_m =
-            std::max(walls_[side.wall].beyond_m, std::nextafter(static_cast<float>(other.sure_top_m), kNoRoof_m));
+            std::max(walls_[side.wall].beyond_m, std::nextafter(static_cast<float>(other.sure_eave_m), kNoRoof_m));
   }
   if (box.is_empty()) box.add({0, 0});
   left_ = metres(box.min.x) - 1;
@@ -87,7 +107,7 @@ HouseWalls::HouseWalls(const City& city) {
   cell_walls_.resize(cell_begin_.back());
   std::vector<std::uint32_t> at(cell_begin_.begin(), cell_begin_.end() - 1);
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
-    visit_cells(walls_[w].a, walls_[w].b, [&](std::size_t cell) { return cell_walls_[at[cell]++] = w, false; });
+    visit_cells(walls_[w].a, walls_[w].b, [&](std::size_t cell) { return cell_walls_[at[cell]++] = walls_[w], false; });
 }
 
 std::size_t HouseWalls::cell_at(std::int64_t column, std::int64_t row) const {
@@ -121,16 +141,47 @@ void HouseWalls::visit_cells(Spot p, Spot q, Visit visit) const {
   }
 }
 
-bool HouseWalls::is_clear(Spot p, double p_up_m, Spot q, double q_up_m) const {
+/// Over the house's roof the line does not stay above it.
+bool HouseWalls::roof_stops(std::uint32_t house, Spot p, double p_up_m, Spot q, double q_up_m, bool is_goal) const {
+  const HouseBody& body = houses_[house];
+  const double zero_m = is_goal ? body.sure_zero_m : body.most_zero_m;
+  const double last = is_goal ? 1 - 0.05 / std::max(0.05, std::hypot(q.x - p.x, q.y - p.y)) : 1;
+  for (std::uint32_t i = body.first_triangle; i < body.last_triangle; ++i) {
+    const RoofTriangle& t = triangles_[i];
+    if (std::min(p_up_m, q_up_m) > zero_m + t.most_m() + kAbove_m) continue;
+    const Stretch over = t.stretch(p, q);
+    for (const double at : {over.from, std::min(over.to, last)}) {
+      if (at > over.to || at < over.from) continue;
+      const double roof_m = zero_m + t.height_at({p.x + at * (q.x - p.x), p.y + at * (q.y - p.y)});
+      if (p_up_m + (q_up_m - p_up_m) * at < roof_m + (is_goal ? 0 : kAbove_m)) return true;
+    }
+  }
+  return false;
+}
+
+bool HouseWalls::is_clear(Spot p, double p_up_m, Spot q, double q_up_m, std::uint32_t goal) const {
   bool is_clear = true;
+  thread_local std::vector<std::uint32_t> asked;  // whose roofs let the line pass
+  asked.clear();
   visit_cells(p, q, [&](std::size_t cell) {
     for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-      const HouseWall& w = walls_[cell_walls_[i]];
+      const HouseWall& w = cell_walls_[i];
       const double side_a = cross(p, q, w.a), side_b = cross(p, q, w.b);
       if ((side_a > 0) == (side_b > 0)) continue;
       const double side_p = cross(w.a, w.b, p), side_q = cross(w.a, w.b, q);
-      const double at = side_p / (side_p - side_q);
-      if (!(at >= 0 && at <= 1) || p_up_m + (q_up_m - p_up_m) * at > houses_[w.house].most_top_m + kAbove_m) continue;
+      const double at = side_p / (side_p - side_q), up = p_up_m + (q_up_m - p_up_m) * at;
+      if (!(at >= 0 && at <= 1)) continue;
+      const HouseBody& body = houses_[w.house];
+      // A line is lowest over a house where it enters or leaves it: one such place is as low.
+      if (up > body.most_top_m + kAbove_m) continue;
+      const bool is_goal = w.house == goal, has_roof = body.first_triangle != body.last_triangle;
+      if (is_goal ? has_roof && up <= body.sure_eave_m - kAbove_m : up <= body.most_eave_m + kAbove_m) {
+        is_clear = false;
+        return true;
+      }
+      if (!has_roof || std::find(asked.begin(), asked.end(), w.house) != asked.end()) continue;
+      asked.push_back(w.house);
+      if (!roof_stops(w.house, p, p_up_m, q, q_up_m, is_goal)) continue;
       is_clear = false;
       return true;
     }
@@ -178,14 +229,16 @@ void crossings_from(std::vector<Hit>& hits, std::vector<Crossing>& out) {
 
 }  // namespace
 
-void HouseWalls::cut(Spot p, Spot q, std::vector<Crossing>& out) const {
+void HouseWalls::cut(Spot p, Spot q, double p_up_m, double rise_m, std::vector<Crossing>& out) const {
   out.clear();
   thread_local std::vector<Hit> hits;
   hits.clear();
   Hit hit{};
   visit_cells(p, q, [&](std::size_t cell) {
     for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i)
-      if (find_hit(p, q, walls_[cell_walls_[i]], hit)) hits.push_back(hit);
+      if (find_hit(p, q, cell_walls_[i], hit) &&
+          cell_walls_[i].sure_top_m >= p_up_m + (rise_m >= 0 ? rise_m * hit.at : rise_m))
+        hits.push_back(hit);
     return false;
   });
   crossings_from(hits, out);
@@ -210,9 +263,27 @@ bool HouseWalls::contains(std::uint32_t house, Spot x) const {
   return is_inside;
 }
 
+/// The roof within `reach` of x is nowhere lower.
+bool HouseWalls::reaches(const HouseBody& house, Spot x, double reach, double up_m) const {
+  if (house.sure_eave_m >= up_m) return true;
+  if (house.sure_top_m < up_m) return false;
+  for (std::uint32_t i = house.first_triangle; i < house.last_triangle; ++i)
+    if (house.sure_zero_m + triangles_[i].least_within(x, reach) < up_m) return false;
+  return true;
+}
+
+bool HouseWalls::is_near_open_wall(std::uint32_t house, Spot x, double reach2) const {
+  for (std::uint32_t i = houses_[house].first_wall; i < houses_[house].last_wall; ++i)
+    if (walls_[i].beyond_m <= kNoRoof_m && distance2_to(walls_[i], x) < reach2) return true;
+  return false;
+}
+
 bool HouseWalls::is_roofed(Spot x, double radius, std::uint32_t house, double up_m) const {
-  if (!houses_[house].stands() || houses_[house].sure_top_m < up_m) return false;
+  if (!houses_[house].stands()) return false;
   const double reach = radius + kDoubt_m, reach2 = reach * reach;
+  // Cheap and mostly enough: the house's own walls.
+  if (is_near_open_wall(house, x, reach2) || !reaches(houses_[house], x, reach, up_m) || !contains(house, x))
+    return false;
   const auto low_column = static_cast<std::int64_t>(std::floor((x.x - reach - left_) / cell_m_));
   const auto high_column = static_cast<std::int64_t>(std::floor((x.x + reach - left_) / cell_m_));
   const auto low_row = static_cast<std::int64_t>(std::floor((x.y - reach - bottom_) / cell_m_));
@@ -222,13 +293,13 @@ bool HouseWalls::is_roofed(Spot x, double radius, std::uint32_t house, double up
     for (std::int64_t column = low_column; column <= high_column; ++column) {
       const std::size_t cell = cell_at(column, row);
       for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-        const HouseWall& w = walls_[cell_walls_[i]];
-        const HouseBody& own = houses_[w.house];
-        const bool is_high = w.beyond_m >= up_m && own.stands() && own.sure_top_m >= up_m;
-        if (!is_high && own.stands() && distance2_to(w, x) < reach2) return false;
+        const HouseWall& w = cell_walls_[i];
+        if (w.house == house || w.sure_top_m <= kNoRoof_m || distance2_to(w, x) >= reach2) continue;
+        // A party wall: its other side is a wall of the other house, which is asked about in its turn.
+        if (w.beyond_m <= kNoRoof_m || !reaches(houses_[w.house], x, reach, up_m)) return false;
       }
     }
-  return contains(house, x);
+  return true;
 }
 
 }  // namespace vicus

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -85,22 +86,28 @@ struct Branch {
   std::size_t left_begin, right_begin;  // in the store; the right chain ends where the next branch begins
 };
 
+using Flooded = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sector, group
+
 class Search {
  public:
-  Search(const SightMap& map, std::uint64_t budget) : map_(map), budget_(budget), seen_(map.sector_count(), kNowhere) {}
+  Search(const SightMap& map, const SightOptions& options)
+      : map_(map),
+        budget_(options.step_budget),
+        entered_(options.count_cells ? map.cells.size() : 0, kNowhere),
+        seen_(map.sector_count(), kNowhere),
+        met_(map.groups.size(), kNowhere),
+        is_house_found_(map.owner.size(), 0) {}
 
   /// false: the budget is used up.
   bool run(std::uint32_t sector) {
-    source_ = sector;
-    found_.clear();
-    mark(sector);
+    start(sector);
     steps_ = 0;
     lines_.clear();
     followed_.clear();
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t side = map_.cells[c].beyond[k];
-        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
         if (!look_through(side)) return false;
       }
     return true;
@@ -110,20 +117,27 @@ class Search {
     std::sort(found_.begin(), found_.end());
     return found_;
   }
+  std::vector<std::uint32_t> houses() {
+    std::sort(houses_.begin(), houses_.end());
+    return houses_;
+  }
+  /// After a flood: groups of houses at the grounds of sectors.
+  const Flooded& flooded() const { return flooded_; }
   std::uint64_t steps() const { return steps_; }
+  std::uint64_t cells = 0;  // different ones of each sector, where counted
 
   /// Every sector that a walk through sides not wholly behind one side of the rim reaches: no line is missed.
   void flood(std::uint32_t sector) {
-    source_ = sector;
-    found_.clear();
     std::fill(seen_.begin(), seen_.end(), kNowhere);
-    mark(sector);
+    std::fill(met_.begin(), met_.end(), kNowhere);
+    flooded_.clear();
+    start(sector);
     std::vector<std::uint32_t> entered(map_.cells.size(), kNowhere), queue;
     for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const SightCell& from = map_.cells[c];
         const std::uint32_t side = from.beyond[k];
-        if (side == kNowhere || map_.cells[side >> 2].sector == sector) continue;
+        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
         const PlanPoint a = from.corner[(k + 1) % 3], b = from.corner[(k + 2) % 3];
         const std::uint32_t stamp = 4 * c + k;
         queue.assign(1, side >> 2);
@@ -132,8 +146,9 @@ class Search {
           const SightCell& cell = map_.cells[queue.back()];
           queue.pop_back();
           if (cell.sector != kNowhere) mark(cell.sector);
+          flood_houses(cell);
           for (std::size_t s = 0; s < 3; ++s) {
-            if (cell.beyond[s] == kNowhere || entered[cell.beyond[s] >> 2] == stamp) continue;
+            if (cell.beyond[s] >= kWall || entered[cell.beyond[s] >> 2] == stamp) continue;
             // The source lies left of ab; a line through ab goes on to the right.
             if (orient(a, b, cell.corner[(s + 1) % 3]) > 0 && orient(a, b, cell.corner[(s + 2) % 3]) > 0) continue;
             entered[cell.beyond[s] >> 2] = stamp;
@@ -144,10 +159,58 @@ class Search {
   }
 
  private:
+  /// On a sector's ground a house is seen only where the sector is: that is settled when its list is.
+  void flood_houses(const SightCell& cell) {
+    const auto add = [&](std::uint32_t group) {
+      if (cell.sector == kNowhere)
+        meet(group);
+      else
+        flooded_.insert({cell.sector, group});
+    };
+    if (cell.group != 0) add(cell.group);
+    for (const std::uint32_t side : cell.beyond)
+      if (side >= kWall && side != kNowhere) add(side - kWall);
+  }
+
+  /// Nothing is found but the sector, and what stands at its ground.
+  void start(std::uint32_t sector) {
+    source_ = sector;
+    found_.clear();
+    for (const std::uint32_t house : houses_) is_house_found_[house] = 0;
+    houses_.clear();
+    mark(sector);
+    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c) {
+      meet(map_.cells[c].group);
+      for (const std::uint32_t side : map_.cells[c].beyond)
+        if (side >= kWall) meet_wall(side);
+    }
+  }
+
   void mark(std::uint32_t sector) {
     if (seen_[sector] == source_) return;
     seen_[sector] = source_;
     found_.push_back(sector);
+  }
+  void mark(const SightCell& cell) {
+    if (!entered_.empty()) {
+      std::uint32_t& entered = entered_[static_cast<std::size_t>(&cell - map_.cells.data())];
+      cells += entered != source_;
+      entered = source_;
+    }
+    if (cell.sector != kNowhere) mark(cell.sector);
+    if (cell.group != 0) meet(cell.group);
+  }
+  void meet_wall(std::uint32_t side) {
+    if (side != kNowhere) meet(side - kWall);
+  }
+  void meet(std::uint32_t group) {
+    if (met_[group] == source_) return;
+    met_[group] = source_;
+    for (const std::uint32_t house : map_.groups[group]) {
+      if (is_house_found_[house] != 0) continue;
+      is_house_found_[house] = 1;
+      houses_.push_back(house);
+    }
   }
 
   bool look_through(std::uint32_t side) {
@@ -173,12 +236,14 @@ class Search {
     const std::uint32_t s = side & 3;
     // Back in the sector: what leaves it again is in the bundle that begins at the side by which it leaves.
     if (cell.sector == source_) return kNowhere;
-    if (cell.sector != kNowhere) mark(cell.sector);
+    mark(cell);
     const PlanPoint apex = cell.corner[s];
     const std::uint32_t to_right = cell.beyond[s == 2 ? 0 : s + 1], to_left = cell.beyond[s == 0 ? 2 : s - 1];
     const std::int64_t beyond_left = bundle_.beyond_leftmost(apex), beyond_right = bundle_.beyond_rightmost(apex);
-    const bool go_right = to_right != kNowhere && beyond_right >= 0;  // the apex is the left end there
-    const bool go_left = to_left != kNowhere && beyond_left <= 0;
+    bool go_right = beyond_right >= 0;  // the apex is the left end there
+    bool go_left = beyond_left <= 0;
+    if (go_right && to_right >= kWall) meet_wall(to_right), go_right = false;
+    if (go_left && to_left >= kWall) meet_wall(to_left), go_left = false;
     if (go_right && go_left) keep_branch(to_left, beyond_right > 0, apex);
     if (go_right) {
       if (beyond_left < 0) bundle_.narrow_left(apex);
@@ -202,13 +267,14 @@ class Search {
       line_queue_.pop_back();
       ++steps_;
       if (cell.sector == source_) continue;
-      if (cell.sector != kNowhere) mark(cell.sector);
+      mark(cell);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = cell.beyond[k];
-        if (beyond == kNowhere || orient(p, q, cell.corner[(k + 1) % 3]) > 0 ||
-            orient(p, q, cell.corner[(k + 2) % 3]) < 0 || !is_new(beyond >> 2))
-          continue;
-        line_queue_.push_back(beyond >> 2);
+        if (orient(p, q, cell.corner[(k + 1) % 3]) > 0 || orient(p, q, cell.corner[(k + 2) % 3]) < 0) continue;
+        if (beyond >= kWall)
+          meet_wall(beyond);
+        else if (is_new(beyond >> 2))
+          line_queue_.push_back(beyond >> 2);
       }
     }
     return kNowhere;
@@ -251,7 +317,11 @@ class Search {
   const SightMap& map_;
   std::uint64_t budget_, steps_ = 0;
   std::uint32_t source_ = 0;
+  std::vector<std::uint32_t> entered_;  // per cell: by a look of this sector; empty: not counted
   std::vector<std::uint32_t> seen_, found_;
+  std::vector<std::uint32_t> met_, houses_;  // per group: met from this sector; the houses of these
+  std::vector<char> is_house_found_;
+  Flooded flooded_;
   Bundle bundle_;
   std::vector<Branch> branches_;
   std::vector<PlanPoint> store_;
@@ -259,6 +329,14 @@ class Search {
   std::unordered_set<std::uint64_t> followed_;  // line and cell
   std::vector<std::uint32_t> line_queue_;
 };
+
+/// Houses whose owner is in sight come with it.
+void leave_out_houses_of_listed(SightLists& lists, const SightMap& map) {
+  for (std::size_t s = 0; s < lists.houses.size(); ++s)
+    std::erase_if(lists.houses[s], [&](std::uint32_t house) {
+      return std::binary_search(lists.visible[s].begin(), lists.visible[s].end(), map.owner[house]);
+    });
+}
 
 /// A sector over its budget is seen by those that it sees: their lists say so exactly. Two over budget keep each other
 /// where both floods reach.
@@ -275,6 +353,15 @@ void mend_by_symmetry(SightLists& lists, const std::vector<char>& over) {
   for (std::size_t i = 0; i < mended.size(); ++i) lists.visible[lists.over_budget[i]] = std::move(mended[i]);
 }
 
+void add_houses_of_listed_grounds(SightLists& lists, std::uint32_t s, const Flooded& flooded, const SightMap& map) {
+  auto& houses = lists.houses[s];
+  for (const auto& [ground, group] : flooded)
+    if (std::binary_search(lists.visible[s].begin(), lists.visible[s].end(), ground))
+      houses.insert(houses.end(), map.groups[group].begin(), map.groups[group].end());
+  std::sort(houses.begin(), houses.end());
+  houses.erase(std::unique(houses.begin(), houses.end()), houses.end());
+}
+
 }  // namespace
 
 SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
@@ -282,24 +369,31 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
   const unsigned threads = thread_count(options.threads);
   SightLists lists;
   lists.visible.resize(sectors);
-  std::vector<Search> searches(threads, Search(map, options.step_budget));
+  lists.houses.resize(sectors);
+  std::vector<Search> searches(threads, Search(map, options));
   std::vector<std::uint64_t> steps(sectors, 0);
   std::vector<char> over(sectors, 0);
+  std::vector<Flooded> flooded(sectors);
   run_parallel(sectors, threads, [&](std::size_t i, unsigned thread) {
     const auto sector = static_cast<std::uint32_t>(i);
     Search& search = searches[thread];
     if (!search.run(sector)) {
       over[i] = 1;
       search.flood(sector);
+      flooded[i] = search.flooded();
     }
     steps[i] = search.steps();
     lists.visible[i] = search.found();
+    lists.houses[i] = search.houses();
   });
+  for (const Search& search : searches) lists.cells += search.cells;
   for (std::uint32_t i = 0; i < sectors; ++i) {
     lists.steps += steps[i];
     if (over[i]) lists.over_budget.push_back(i);
   }
   mend_by_symmetry(lists, over);
+  for (const std::uint32_t s : lists.over_budget) add_houses_of_listed_grounds(lists, s, flooded[s], map);
+  leave_out_houses_of_listed(lists, map);
   return lists;
 }
 

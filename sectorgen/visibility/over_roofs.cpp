@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "city_db/run_parallel.hpp"
 #include "city_db/terrain.hpp"
@@ -17,6 +18,13 @@ constexpr double kInset_m = 0.02;  // rays start and end this far off walls
 constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
 constexpr double kManyBinsBelow_m = 1.5;
 
+/// CPU seconds of this thread.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// A node of a tree, or a part of a leaf's segment.
 struct Region {
   Spot centre;
@@ -24,17 +32,19 @@ struct Region {
   Spot a, b;                      // of a segment
   std::uint32_t node = kNowhere;  // an inner node; else a segment
   std::uint32_t segment = kNowhere, house = kNowhere;
-  double top_m = 0, depth_m = 0;
+  double low_m = 0, top_m = 0, up_a = 0, up_b = 0;  // of a segment the heights of a and b
   bool is_segment() const { return node == kNowhere; }
 };
 
 Region region_of(const SegmentTree& tree, std::uint32_t node) {
   const SegmentNode& n = tree.nodes[node];
-  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.top_m, n.depth_m};
+  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.low_m, n.top_m};
   if (n.segment != kNowhere) {
     region.node = kNowhere;
     region.a = tree.segments[n.segment].a;
     region.b = tree.segments[n.segment].b;
+    region.up_a = tree.segments[n.segment].up_a;
+    region.up_b = tree.segments[n.segment].up_b;
   }
   return region;
 }
@@ -46,7 +56,10 @@ std::pair<Region, Region> halves(const SegmentTree& tree, const Region& region) 
   }
   Region first = region, second = region;
   first.b = second.a = region.centre;
+  first.up_b = second.up_a = (region.up_a + region.up_b) / 2;
   for (Region* half : {&first, &second}) {
+    half->low_m = std::min(half->up_a, half->up_b);
+    half->top_m = std::max(half->up_a, half->up_b);
     half->centre = {(half->a.x + half->b.x) / 2, (half->a.y + half->b.y) / 2};
     half->radius = region.radius / 2;
   }
@@ -103,14 +116,17 @@ class Explorer {
         options_(options),
         horizon_(scene.field),
         state_(scene.targets.showings.size()),
+        unknown_in_(scene.walls.houses().size()),
         effort_(scene.targets.showings.size()),
         blocker_(scene.targets.tree.segments.size()) {}
 
-  std::vector<RoofSight> run(const City& city, std::uint32_t sector, const std::vector<std::uint32_t>& in_sight) {
+  std::vector<RoofSight> run(const City& city, std::uint32_t sector, const SightLists& level) {
     const auto& showings = scene_.targets.showings;
-    for (std::uint32_t i = 0; i < showings.size(); ++i)
-      state_[i] =
-          std::binary_search(in_sight.begin(), in_sight.end(), showings[i].sector) ? State::known : State::unknown;
+    std::fill(unknown_in_.begin(), unknown_in_.end(), 0);
+    for (std::uint32_t i = 0; i < showings.size(); ++i) {
+      state_[i] = is_in_sight(level, sector, showings[i]) ? State::known : State::unknown;
+      unknown_in_[showings[i].house] += state_[i] == State::unknown;
+    }
     found_.clear();
     std::fill(effort_.begin(), effort_.end(), Effort{});
     std::fill(blocker_.begin(), blocker_.end(), kNowhere);
@@ -118,9 +134,15 @@ class Explorer {
     eye_m_ = highest_ground(city.sectors[sector], scene_.terrain) + kEyeTop_m;
     parts_.clear();
     pairs_ = 0;
+    const double begin = thread_seconds();
     if (rim_.root != kNowhere && scene_.targets.tree.root != kNowhere) stand_on(region_of(rim_, rim_.root));
+    const double stood = thread_seconds();
     look_closer();
+    const double closer = thread_seconds();
     look_pair_by_pair();
+    first_s += stood - begin;
+    closer_s += closer - stood;
+    pairs_s += thread_seconds() - closer;
     std::vector<RoofSight> out;
     for (const std::uint32_t i : found_)
       out.push_back({showings[i].sector, showings[i].house, state_[i] == State::known});
@@ -131,41 +153,51 @@ class Explorer {
   }
 
   std::uint64_t horizons = 0, tests = 0, fine_tests = 0, rays = 0;
+  double first_s = 0, closer_s = 0, pairs_s = 0;
 
  private:
-  State state_of(std::uint32_t showing) const { return showing == kNowhere ? State::known : state_[showing]; }
-
-  /// The least that is known of what the target shows.
-  State state_of(const Region& target) const {
-    if (target.is_segment())
-      return std::min(state_of(scene_.targets.owner[target.segment]), state_of(scene_.targets.facade[target.segment]));
-    if (target.house == kNowhere) return State::unknown;
-    State least = State::known;
-    for (auto i = scene_.targets.first_of[target.house]; i < scene_.targets.first_of[target.house + 1]; ++i)
-      least = std::min(least, state_[i]);
-    return least;
+  bool is_in_sight(const SightLists& level, std::uint32_t sector, const Showing& showing) const {
+    const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t index) {
+      return std::binary_search(list.begin(), list.end(), index);
+    };
+    return has(level.visible[sector], showing.sector) || (showing.is_owner && has(level.houses[sector], showing.house));
   }
+
+  State state_of(const Region& target) const { return state_[scene_.targets.showing[target.segment]]; }
 
   void set_state(const Region& target, State state) {
-    for (const std::uint32_t i : {scene_.targets.owner[target.segment], scene_.targets.facade[target.segment]}) {
-      if (i == kNowhere || state_[i] >= state) continue;
-      if (state_[i] == State::unknown) found_.push_back(i);
-      state_[i] = state;
-    }
+    const std::uint32_t i = scene_.targets.showing[target.segment];
+    if (state_[i] >= state) return;
+    if (state_[i] == State::unknown) found_.push_back(i);
+    if (state == State::known) --unknown_in_[scene_.targets.showings[i].house];
+    state_[i] = state;
   }
 
-  Effort& effort_of(const Region& target) {
-    const std::uint32_t facade = scene_.targets.facade[target.segment];
-    return effort_[facade == kNowhere ? scene_.targets.owner[target.segment] : facade];
-  }
+  Effort& effort_of(const Region& target) { return effort_[scene_.targets.showing[target.segment]]; }
 
   /// No eye of the region is on the outer side of the wall.
-  static bool is_behind(const Region& eyes, const Region& wall) {
+  bool is_behind(const Region& eyes, const Region& wall) const {
+    if (!scene_.targets.is_wall[wall.segment]) return false;
     const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = std::hypot(dx, dy);
     const auto left_of = [&](Spot p) { return (dx * (p.y - wall.a.y) - dy * (p.x - wall.a.x)) / length; };
     constexpr double kSlack_m = 1e-5;
     if (eyes.is_segment()) return left_of(eyes.a) > kSlack_m && left_of(eyes.b) > kSlack_m;
     return left_of(eyes.centre) > eyes.radius + kSlack_m;
+  }
+
+  /// Everything in the disc is on the outer side of that stretch of rim, and higher than the eyes: steps back from it
+  /// lead into the sector, and only lift the line, as far as the rim where it enters.
+  bool is_seen_better_elsewhere(const Region& eyes, Spot centre, double radius, double low_m) const {
+    if (!eyes.is_segment()) {
+      const SegmentNode& n = rim_.nodes[eyes.node];
+      return is_seen_better_elsewhere(region_of(rim_, n.left), centre, radius, low_m) &&
+             is_seen_better_elsewhere(region_of(rim_, n.right), centre, radius, low_m);
+    }
+    constexpr double kSlack_m = 1e-5;
+    const Segment& rim = rim_.segments[eyes.segment];
+    const double dx = rim.b.x - rim.a.x, dy = rim.b.y - rim.a.y,
+                 inwards = (dx * (centre.y - rim.a.y) - dy * (centre.x - rim.a.x)) / std::hypot(dx, dy);
+    return inwards < -radius - kSlack_m && low_m > eye_m_;
   }
 
   /// Parts of the rim as large as the first horizon allows.
@@ -193,9 +225,10 @@ class Explorer {
       if (is_left(eyes, node)) seen.push_back(node);
       return;
     }
-    if (n.house != kNowhere && state_of(region_of(scene_.targets.tree, node)) == State::known) return;
+    if (n.house != kNowhere && unknown_in_[n.house] == 0) return;
+    if (is_seen_better_elsewhere(eyes, n.centre, n.radius, n.low_m)) return;
     ++tests;
-    if (horizon_.hides_disc(n.centre, n.radius, n.top_m, n.depth_m)) return;
+    if (horizon_.hides_disc(n.centre, n.radius, n.top_m)) return;
     search(eyes, n.left, seen);
     search(eyes, n.right, seen);
   }
@@ -203,9 +236,11 @@ class Explorer {
   /// The wall is still to be asked about: nothing hides it, and no ray proved it seen.
   bool is_left(const Region& eyes, std::uint32_t node) {
     const Region wall = region_of(scene_.targets.tree, node);
-    if (state_of(wall) == State::known || is_behind(eyes, wall)) return false;
+    if (state_of(wall) == State::known || is_behind(eyes, wall) ||
+        is_seen_better_elsewhere(eyes, wall.centre, wall.radius, wall.low_m))
+      return false;
     ++tests;
-    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m, wall.depth_m)) return false;
+    if (horizon_.hides_segment(wall.a, wall.b, wall.top_m)) return false;
     if (!eyes.is_segment() || !is_seen(eyes, wall)) return true;
     set_state(wall, State::known);
     return false;
@@ -254,7 +289,9 @@ class Explorer {
 
   /// A part of the rim and a part of a wall, by the houses between them: true when more has to be told apart.
   bool is_unsure(const Region& eyes, const Region& target) {
-    if (state_of(target) != State::unknown || is_behind(eyes, target)) return false;
+    if (state_of(target) != State::unknown || is_behind(eyes, target) ||
+        is_seen_better_elsewhere(eyes, target.centre, target.radius, target.low_m))
+      return false;
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
     if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return false;
     if (is_seen(eyes, target)) return set_state(target, State::known), false;
@@ -280,7 +317,7 @@ class Explorer {
         if (blocks(eyes, target, crossing)) return true;
     }
     ++fine_tests;
-    scene_.walls.cut(eyes.centre, target.centre, crossings_);
+    scene_.walls.cut(eyes.centre, target.centre, eye_m_, target.top_m - eye_m_, crossings_);
     for (const Crossing& crossing : crossings_)
       if (blocks(eyes, target, crossing)) {
         blocker = crossing.house;
@@ -289,19 +326,10 @@ class Explorer {
     return false;
   }
 
-  /// How far above the eyes lines to the target may end; to roofs, where they pass the wall: see Horizon.
-  double rise_between(const Region& eyes, const Region& target) const {
-    const double rise = target.top_m - eye_m_;
-    if (rise >= 0) return rise;
-    const double to_wall =
-        std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y) - eyes.radius - target.radius;
-    return rise * to_wall / (to_wall + target.depth_m);
-  }
-
   bool blocks(const Region& eyes, const Region& target, const Crossing& crossing) const {
     const HouseBody& body = scene_.walls.houses()[crossing.house];
     const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
-    const double rise = rise_between(eyes, target);
+    const double rise = target.top_m - eye_m_;
     if (!body.stands() || body.sure_top_m < eye_m_ + rise * (rise >= 0 ? crossing.from : crossing.to)) return false;
     double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
     for (double t = crossing.from + step; t < crossing.to; step *= 1.6, t += step) {
@@ -321,9 +349,14 @@ class Explorer {
   bool is_seen(const Region& eyes, const Region& target) {
     if (++effort_of(target).rays > options_.most_rays) return false;
     ++rays;
-    const Spot p = beside(eyes, kInset_m), q = beside(target, -kInset_m);
-    const double p_up = ground_at(p) + kEyeTop_m, q_up = scene_.walls.houses()[target.house].sure_top_m - kInset_m;
-    return scene_.walls.is_clear(p, p_up, q, q_up) && is_above_ground(p, p_up, q, q_up);
+    const HouseBody& body = scene_.walls.houses()[target.house];
+    const bool is_wall = scene_.targets.is_wall[target.segment];
+    const Spot p = beside(eyes, kInset_m), q = is_wall ? beside(target, -kInset_m) : target.centre;
+    const double middle_m = (target.up_a + target.up_b) / 2 - body.most_zero_m + body.sure_zero_m,
+                 p_up = ground_at(p) + kEyeTop_m,
+                 q_up = is_wall ? std::min(middle_m, body.sure_eave_m) - kInset_m : std::min(middle_m, body.sure_top_m);
+    return scene_.walls.is_clear(p, p_up, q, q_up, is_wall ? HouseWalls::kNoHouse : target.house) &&
+           is_above_ground(p, p_up, q, q_up);
   }
 
   double ground_at(Spot x) const {
@@ -352,31 +385,35 @@ class Explorer {
   bool is_last_round_ = false;
   SegmentTree rim_;
   std::vector<State> state_;
-  std::vector<std::uint32_t> found_;
-  std::vector<Effort> effort_;          // per showing
-  std::vector<std::uint32_t> blocker_;  // per wall, the house that hid it last
+  std::vector<std::uint32_t> found_, unknown_in_;  // unknown_in_: showings that are not known, per house
+  std::vector<Effort> effort_;                     // per showing
+  std::vector<std::uint32_t> blocker_;             // per wall, the house that hid it last
   std::vector<Crossing> crossings_;
 };
 
 }  // namespace
 
-RoofLists sights_over_roofs(const City& city, const std::vector<std::vector<std::uint32_t>>& in_sight,
-                            const RoofOptions& options) {
+RoofLists sights_over_roofs(const City& city, const SightLists& level, const RoofOptions& options) {
   RoofLists lists;
   lists.visible.resize(city.sectors.size());
+  const double begin = thread_seconds();
   const Scene scene(city, options);
+  lists.scene_s = thread_seconds() - begin;
   const unsigned threads = thread_count(options.threads);
   std::vector<Explorer> explorers;
   for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
   run_parallel(city.sectors.size(), threads, [&](std::size_t sector, unsigned thread) {
     if (sector % options.every != 0) return;
-    lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), in_sight[sector]);
+    lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), level);
   });
   for (const auto& explorer : explorers) {
     lists.horizons += explorer.horizons;
     lists.tests += explorer.tests;
     lists.fine_tests += explorer.fine_tests;
     lists.rays += explorer.rays;
+    lists.first_s += explorer.first_s;
+    lists.closer_s += explorer.closer_s;
+    lists.pairs_s += explorer.pairs_s;
   }
   return lists;
 }

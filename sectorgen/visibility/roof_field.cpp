@@ -113,7 +113,7 @@ RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
   double least_m = 0, most_m = 0;
   for (const auto& house : houses.houses()) {
     least_m = std::min(least_m, house.sure_top_m);
-    most_m = std::max(most_m, house.most_ground_m + kFullHeight_m);
+    most_m = std::max(most_m, house.most_zero_m + kFullHeight_m);
   }
   base_m_ = std::floor(least_m) - (least_m < 0 ? 1 : 0);
   step_m_ = std::max(kHeightStep_m, (most_m - base_m_) / 255);
@@ -150,45 +150,94 @@ RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
   }
 }
 
-/// Each cell's sure height: of the house that fills it, or the lowest side of the walls that touch it.
+namespace {
+
+/// The cells of a grid whose square comes within 1 mm of a wall, or more.
+template <class Visit>
+void visit_cells_at(const HouseWall& w, double cell_m, Spot corner, std::int64_t columns, std::int64_t rows,
+                    Visit visit) {
+  const auto row_at = [&](double y) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((y - corner.y) / cell_m)), std::int64_t{0}, rows - 1);
+  };
+  const auto column_at = [&](double x) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((x - corner.x) / cell_m)), std::int64_t{0}, columns - 1);
+  };
+  const Spot p = w.a.y < w.b.y ? w.a : w.b, q = w.a.y < w.b.y ? w.b : w.a;
+  const double slope = q.y > p.y ? (q.x - p.x) / (q.y - p.y) : 0;
+  for (std::int64_t row = row_at(p.y - kDoubt_m); row <= row_at(q.y + kDoubt_m); ++row) {
+    const double from_y = corner.y + static_cast<double>(row) * cell_m - kDoubt_m,
+                 to_y = from_y + cell_m + 2 * kDoubt_m;
+    double from = p.x, to = q.x;
+    if (q.y > p.y) {
+      from = p.x + (std::clamp(from_y, p.y, q.y) - p.y) * slope;
+      to = p.x + (std::clamp(to_y, p.y, q.y) - p.y) * slope;
+    }
+    const std::int64_t last = column_at(std::max(from, to) + 2 * kDoubt_m);
+    for (std::int64_t column = column_at(std::min(from, to) - 2 * kDoubt_m); column <= last; ++column)
+      visit(column, row);
+  }
+}
+
+/// One house's part of a grid.
+struct HousePatch {
+  std::int64_t column = 0, row = 0, columns = 0, rows = 0;
+  std::vector<float> up;  // the least of its roof over the cell, metres; kNoRoof_m: not asked
+  float& at(std::int64_t c, std::int64_t r) { return up[static_cast<std::size_t>((r - row) * columns + c - column)]; }
+};
+
+}  // namespace
+
+/// Each cell's sure height: the least of the roof of the house that fills it, and of those whose walls touch it; none
+/// where a wall has no house behind it.
 Heights RoofField::draw(const HouseWalls& houses, double cell_m, std::int64_t columns, std::int64_t rows) const {
   Heights heights(static_cast<std::size_t>(columns * rows), 0);
   std::vector<std::uint8_t> wall_limit(heights.size(), 255);
-  std::vector<double> cuts;
+  const Spot corner{left_, bottom_};
+  const auto cell_at = [&](std::int64_t column, std::int64_t row) {
+    return static_cast<std::size_t>(row * columns + column);
+  };
   const auto row_at = [&](double y) {
     return std::clamp(static_cast<std::int64_t>(std::floor((y - bottom_) / cell_m)), std::int64_t{0}, rows - 1);
   };
   const auto column_at = [&](double x) {
     return std::clamp(static_cast<std::int64_t>(std::floor((x - left_) / cell_m)), std::int64_t{0}, columns - 1);
   };
+  const double reach = cell_m * 0.7072 + kDoubt_m;  // of a cell's corners from its middle
+  HousePatch patch;
+  std::vector<double> cuts;
   for (const auto& house : houses.houses()) {
     if (!house.stands() || house.first_wall == house.last_wall) continue;
-    const std::uint8_t value = step_below(house.sure_top_m);
-    double low = houses.walls()[house.first_wall].a.y, high = low;
+    Spot low = houses.walls()[house.first_wall].a, high = low;
+    for (std::uint32_t i = house.first_wall; i < house.last_wall; ++i) {
+      const Spot a = houses.walls()[i].a;
+      low = {std::min(low.x, a.x), std::min(low.y, a.y)};
+      high = {std::max(high.x, a.x), std::max(high.y, a.y)};
+    }
+    patch.column = column_at(low.x - kDoubt_m), patch.row = row_at(low.y - kDoubt_m);
+    patch.columns = column_at(high.x + kDoubt_m) - patch.column + 1,
+    patch.rows = row_at(high.y + kDoubt_m) - patch.row + 1;
+    const bool has_roof = house.first_triangle != house.last_triangle;
+    const auto top = static_cast<float>(has_roof ? house.sure_top_m : house.sure_eave_m);
+    patch.up.assign(static_cast<std::size_t>(patch.columns * patch.rows), top);
+    for (std::uint32_t i = house.first_triangle; i < house.last_triangle; ++i) {
+      const RoofTriangle& t = *houses.triangles(i);
+      for (std::int64_t row = row_at(t.low_corner().y - kDoubt_m); row <= row_at(t.high_corner().y + kDoubt_m); ++row)
+        for (std::int64_t column = column_at(t.low_corner().x - kDoubt_m);
+             column <= column_at(t.high_corner().x + kDoubt_m); ++column) {
+          const Spot middle{left_ + (static_cast<double>(column) + 0.5) * cell_m,
+                            bottom_ + (static_cast<double>(row) + 0.5) * cell_m};
+          float& up = patch.at(column, row);
+          up = std::min(up, static_cast<float>(house.sure_zero_m + t.least_within(middle, reach) - kDoubt_m));
+        }
+    }
     for (std::uint32_t i = house.first_wall; i < house.last_wall; ++i) {
       const HouseWall& w = houses.walls()[i];
-      low = std::min(low, w.a.y);
-      high = std::max(high, w.a.y);
-      // Every cell within 1 mm of the wall.
-      const std::uint8_t limit = std::min(value, step_below(w.beyond_m));
-      const Spot p = w.a.y < w.b.y ? w.a : w.b, q = w.a.y < w.b.y ? w.b : w.a;
-      const double slope = q.y > p.y ? (q.x - p.x) / (q.y - p.y) : 0;
-      for (std::int64_t row = row_at(p.y - kDoubt_m); row <= row_at(q.y + kDoubt_m); ++row) {
-        const double from_y = bottom_ + static_cast<double>(row) * cell_m - kDoubt_m,
-                     to_y = from_y + cell_m + 2 * kDoubt_m;
-        double from = p.x, to = q.x;
-        if (q.y > p.y) {
-          from = p.x + (std::clamp(from_y, p.y, q.y) - p.y) * slope;
-          to = p.x + (std::clamp(to_y, p.y, q.y) - p.y) * slope;
-        }
-        const std::int64_t last = column_at(std::max(from, to) + 2 * kDoubt_m);
-        for (std::int64_t column = column_at(std::min(from, to) - 2 * kDoubt_m); column <= last; ++column) {
-          std::uint8_t& cell = wall_limit[static_cast<std::size_t>(row * columns + column)];
-          cell = std::min(cell, limit);
-        }
-      }
+      visit_cells_at(w, cell_m, corner, columns, rows, [&](std::int64_t column, std::int64_t row) {
+        std::uint8_t& limit = wall_limit[cell_at(column, row)];
+        limit = std::min(limit, w.beyond_m <= kNoRoof_m ? std::uint8_t{0} : step_below(patch.at(column, row)));
+      });
     }
-    for (std::int64_t row = row_at(low); row <= row_at(high); ++row) {
+    for (std::int64_t row = patch.row; row < patch.row + patch.rows; ++row) {
       const double y = bottom_ + (static_cast<double>(row) + 0.5) * cell_m;
       cuts.clear();
       for (std::uint32_t i = house.first_wall; i < house.last_wall; ++i) {
@@ -199,9 +248,10 @@ Heights RoofField::draw(const HouseWalls& houses, double cell_m, std::int64_t co
       for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
         const auto first = static_cast<std::int64_t>(std::ceil((cuts[i] - left_) / cell_m - 0.5));
         const auto last = static_cast<std::int64_t>(std::floor((cuts[i + 1] - left_) / cell_m - 0.5));
-        for (std::int64_t column = std::max(first, std::int64_t{0}); column <= std::min(last, columns - 1); ++column) {
-          std::uint8_t& cell = heights[static_cast<std::size_t>(row * columns + column)];
-          cell = std::max(cell, value);
+        for (std::int64_t column = std::max(first, patch.column);
+             column <= std::min(last, patch.column + patch.columns - 1); ++column) {
+          std::uint8_t& cell = heights[cell_at(column, row)];
+          cell = std::max(cell, step_below(patch.at(column, row)));
         }
       }
     }

@@ -33,13 +33,6 @@ std::vector<FacadeEdge> facade_edges(const City& city, const std::unordered_map<
   return edges;
 }
 
-/// No two points of the house are farther apart.
-double depth_of(const Building& building) {
-  PlanBox box;
-  for (const PlanPoint p : building.footprint.outer) box.add(p);
-  return metres(length_mm(box.min, box.max)) + 0.001;
-}
-
 }  // namespace
 
 SegmentNode disc_around(const Segment* first, const Segment* last) {
@@ -57,18 +50,19 @@ SegmentNode disc_around(const Segment* first, const Segment* last) {
   return node;
 }
 
-std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, double depth_m,
-                        std::uint32_t house) {
+std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, std::uint32_t house) {
   SegmentNode node = disc_around(&tree.segments[first], &tree.segments[0] + last);
-  node.top_m = top_m;
-  node.depth_m = depth_m;
   node.house = house;
   if (last - first == 1) {
     node.segment = first;
+    node.top_m = std::max(tree.segments[first].up_a, tree.segments[first].up_b);
+    node.low_m = std::min(tree.segments[first].up_a, tree.segments[first].up_b);
   } else {
     const std::uint32_t middle = first + (last - first) / 2;
-    node.left = add_chain(tree, first, middle, top_m, depth_m, house);
-    node.right = add_chain(tree, middle, last, top_m, depth_m, house);
+    node.left = add_chain(tree, first, middle, house);
+    node.right = add_chain(tree, middle, last, house);
+    node.top_m = std::max(tree.nodes[node.left].top_m, tree.nodes[node.right].top_m);
+    node.low_m = std::min(tree.nodes[node.left].low_m, tree.nodes[node.right].low_m);
   }
   tree.nodes.push_back(node);
   return static_cast<std::uint32_t>(tree.nodes.size() - 1);
@@ -95,7 +89,7 @@ std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots) {
     node.right = self(self, middle, last);
     const SegmentNode &l = tree.nodes[node.left], &r = tree.nodes[node.right];
     node.top_m = std::max(l.top_m, r.top_m);
-    node.depth_m = std::max(l.depth_m, r.depth_m);
+    node.low_m = std::min(l.low_m, r.low_m);
     // The smallest disc around two discs.
     const double dx = r.centre.x - l.centre.x, dy = r.centre.y - l.centre.y, apart = std::hypot(dx, dy);
     if (apart + r.radius <= l.radius) {
@@ -123,40 +117,41 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
   for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
     const Building& building = city.buildings[h];
     const HouseBody& body = walls.houses()[h];
-    const double top_m = std::max(body.most_top_m, body.most_ground_m + kStopsSight_m);  // above eyes on flat ground
-    const auto first_showing = static_cast<std::uint32_t>(targets.showings.size());
-    targets.first_of.push_back(first_showing);
-    const auto showing_of = [&](std::uint32_t sector) {
-      for (auto i = first_showing; i < targets.showings.size(); ++i)
-        if (targets.showings[i].sector == sector) return i;
-      targets.showings.push_back({sector, h});
-      return static_cast<std::uint32_t>(targets.showings.size() - 1);
-    };
+    const double least_m = body.most_zero_m + kStopsSight_m;  // above eyes on flat ground
     const auto owner_sector = sectors.find(building.sector_id);
-    const std::uint32_t owner = owner_sector == sectors.end() ? kNowhere : showing_of(owner_sector->second);
+    const std::uint32_t owner = owner_sector == sectors.end() ? kNowhere : owner_sector->second;
+    const auto first_showing = static_cast<std::uint32_t>(targets.showings.size());
     const auto first_segment = static_cast<std::uint32_t>(targets.tree.segments.size());
+    const auto add = [&](Spot a, Spot b, double up_a, double up_b, std::uint32_t sector, bool is_wall) {
+      if (sector == kNowhere) return;
+      std::uint32_t i = first_showing;
+      while (i < targets.showings.size() && targets.showings[i].sector != sector) ++i;
+      if (i == targets.showings.size()) targets.showings.push_back({sector, h, sector == owner});
+      targets.showing.push_back(i);
+      targets.is_wall.push_back(is_wall);
+      targets.tree.segments.push_back({a, b, std::max(up_a, least_m), std::max(up_b, least_m)});
+    };
     std::uint32_t wall = body.first_wall;
-    const auto add = [&](const Ring& ring) {
+    const auto add_ring = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i, ++wall) {
         const HouseWall& w = walls.walls()[wall];
-        if (is_flat && w.beyond_m >= top_m) continue;
+        if (is_flat && w.beyond_m >= std::max(body.most_eave_m, least_m)) continue;
         const FacadeEdge key{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], h, 0};
         const auto found = std::lower_bound(facades.begin(), facades.end(), key,
                                             [](const auto& x, const auto& y) { return x.key() < y.key(); });
         const bool is_facade = found != facades.end() && found->key() == key.key();
-        if (!is_facade && owner == kNowhere) continue;
-        targets.facade.push_back(is_facade ? showing_of(found->sector) : kNowhere);
-        targets.owner.push_back(owner);
-        targets.tree.segments.push_back({w.a, w.b});
+        add(w.a, w.b, body.most_eave_m, body.most_eave_m, is_facade ? found->sector : owner, true);
       }
     };
-    add(building.footprint.outer);
-    for (const auto& hole : building.footprint.holes) add(hole);
+    add_ring(building.footprint.outer);
+    for (const auto& hole : building.footprint.holes) add_ring(hole);
+    const bool has_roof = body.first_triangle != body.last_triangle;
+    if (!is_flat || has_roof || building.height_m > building.eave_m)
+      for (const RoofEdge& e : roof_edges(building, has_roof, !is_flat))
+        add(e.a, e.b, body.most_zero_m + e.up_a, body.most_zero_m + e.up_b, owner, false);
     const auto last_segment = static_cast<std::uint32_t>(targets.tree.segments.size());
-    if (last_segment > first_segment)
-      roots.push_back(add_chain(targets.tree, first_segment, last_segment, top_m, depth_of(building), h));
+    if (last_segment > first_segment) roots.push_back(add_chain(targets.tree, first_segment, last_segment, h));
   }
-  targets.first_of.push_back(static_cast<std::uint32_t>(targets.showings.size()));
   targets.tree.root = join_trees(targets.tree, roots);
   return targets;
 }
@@ -169,7 +164,7 @@ SegmentTree rim_of(const Sector& sector) {
     for (std::size_t i = 0; i < ring.size(); ++i)
       tree.segments.push_back({spot_of(ring[i]), spot_of(ring[i + 1 == ring.size() ? 0 : i + 1])});
     const auto last = static_cast<std::uint32_t>(tree.segments.size());
-    roots.push_back(add_chain(tree, first, last, 0, 0, kNowhere));
+    roots.push_back(add_chain(tree, first, last, kNowhere));
   };
   add(sector.ground.outer);
   for (const auto& hole : sector.ground.holes) add(hole);

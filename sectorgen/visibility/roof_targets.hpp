@@ -11,13 +11,13 @@ namespace vicus {
 /// What one sector sends of one house.
 struct Showing {
   std::uint32_t sector = 0, house = 0;
+  bool is_owner = false;  ///< it sends the roof, and walls that are no facades
 };
 
 /// A disc around everything below. A leaf is one segment.
 struct SegmentNode {
   Spot centre;
-  double radius = 0, top_m = 0;
-  double depth_m = 0;                               ///< of the houses whose walls these are, or more
+  double radius = 0, low_m = 0, top_m = 0;          ///< the lowest and the highest point
   std::uint32_t left = kNowhere, right = kNowhere;  ///< children; kNowhere: a leaf
   std::uint32_t segment = kNowhere;                 ///< of a leaf
   std::uint32_t house = kNowhere;                   ///< all segments below are of this house
@@ -25,6 +25,7 @@ struct SegmentNode {
 
 struct Segment {
   Spot a, b;
+  double up_a = 0, up_b = 0;  ///< the most it may reach at its ends
 };
 
 struct SegmentTree {
@@ -36,19 +37,20 @@ struct SegmentTree {
 /// The disc around some segments.
 SegmentNode disc_around(const Segment* first, const Segment* last);
 /// A tree over segments [first, last) in their order; returns its root.
-std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, double top_m, double depth_m,
-                        std::uint32_t house);
+std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, std::uint32_t house);
 /// A tree over trees, split where they lie apart.
 std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots);
 
+/// Tops of walls and edges of roofs: whoever sees something of a showing sees one of its segments.
 struct RoofTargets {
-  SegmentTree tree;                          ///< tops of walls, house on the left
-  std::vector<Showing> showings;             ///< by house, then sector
-  std::vector<std::uint32_t> first_of;       ///< per house its first showing, and one more
-  std::vector<std::uint32_t> owner, facade;  ///< per segment: its showings; facade may be kNowhere
+  SegmentTree tree;
+  std::vector<Showing> showings;       ///< by house, then sector
+  std::vector<std::uint32_t> showing;  ///< per segment
+  std::vector<char> is_wall;           ///< per segment: of a wall, house on the left; else of a roof
 };
 
-/// Walls that stand higher than what is behind them; on slopes, where one looks down on roofs, all walls.
+/// The tops of walls that stand higher than the house behind them: for the sector whose facade it is, else the owner.
+/// For the owner the edges of roofs (roof_edges); on slopes, where one looks down on roofs, all.
 /// Needs  `walls` of the same city.
 RoofTargets make_roof_targets(const City& city, const HouseWalls& walls);
 

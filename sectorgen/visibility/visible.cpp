@@ -22,6 +22,18 @@ Visible row_over_roofs(const City& city, const std::string& from, const RoofSigh
   return row;
 }
 
+/// Seen on the level, but not the ground of the sector that sends them: they are listed by name as those over roofs
+/// are.
+void add_houses_on_the_level(RoofLists& lists, const SightLists& level, const std::vector<std::uint32_t>& owner) {
+  for (std::size_t s = 0; s < level.houses.size(); ++s) {
+    auto& list = lists.visible[s];
+    for (const std::uint32_t house : level.houses[s]) list.push_back({owner[house], house, true});
+    std::sort(list.begin(), list.end(), [](const RoofSight& a, const RoofSight& b) {
+      return std::tie(a.sector, a.house) < std::tie(b.sector, b.house);
+    });
+  }
+}
+
 void report_over_budget(City& city, const SightLists& lists, std::uint64_t budget) {
   for (const std::uint32_t s : lists.over_budget)
     city.issues.push_back({IssueCode::sight_over_budget,
@@ -34,7 +46,8 @@ void report_over_budget(City& city, const SightLists& lists, std::uint64_t budge
 }  // namespace
 
 void list_visible(City& city, const VisibleOptions& options) {
-  const SightLists level = lines_of_sight(make_sight_map(city), {options.threads, options.step_budget});
+  const SightMap map = make_sight_map(city);
+  const SightLists level = lines_of_sight(map, {options.threads, options.step_budget});
   report_over_budget(city, level, options.step_budget);
   RoofLists roofs;
   roofs.visible.resize(city.sectors.size());
@@ -45,8 +58,9 @@ void list_visible(City& city, const VisibleOptions& options) {
     RoofOptions roof_options;
     roof_options.threads = options.threads;
     roof_options.least_radius_m = options.least_radius_m;
-    roofs = sights_over_roofs(city, level.visible, roof_options);
+    roofs = sights_over_roofs(city, level, roof_options);
   }
+  add_houses_on_the_level(roofs, level, map.owner);
   std::set<std::pair<std::string, std::string>> gates;
   for (const auto& gate : city.gates)
     if (!gate.to_sector_id.empty()) gates.insert({gate.sector_id, gate.to_sector_id});

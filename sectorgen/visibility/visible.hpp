@@ -17,8 +17,9 @@ struct VisibleOptions {
   std::uint64_t step_budget = 40'000'000;
 };
 
-/// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, those whose houses are
-/// seen over roofs. By sector, then visible sector. Sets meta "over_roofs" to yes or no: whether that list was made.
+/// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, and with the reason
+/// over_roofs those of which houses are seen alone: over roofs, or on the level from behind. By sector, then visible
+/// sector. Sets meta "over_roofs" to yes or no: whether the list over roofs was made.
 ///
 /// Error   a superset of the truth. Raises  404 sight_over_budget where two such sectors list each other unproved.
 /// Needs   sectors with their ids, gates, borders, buildings.

@@ -1,19 +1,27 @@
 // Rays against the lists of visible sectors: what a visitor would see must be listed.
-// usage: sight_rays CITY.gpkg RAYS [SEED]      exit 3: a ray saw what is not listed      (docs/visibility.md)
+// usage: sight_rays CITY.gpkg RAYS [SEED [yes|no]]      exit 3: a ray saw what is not listed      (docs/visibility.md)
+//        yes, no: the lists are made anew first, with or without those over roofs
 #include "tests/support/sight_rays.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 
 #include "city_db/store.hpp"
+#include "sectorgen/visibility/visible.hpp"
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: sight_rays CITY.gpkg RAYS [SEED]\n");
+    std::fprintf(stderr, "usage: sight_rays CITY.gpkg RAYS [SEED [yes|no]]\n");
     return 2;
   }
-  const vicus::City city = vicus::read_city(argv[1]);
+  vicus::City city = vicus::read_city(argv[1]);
+  if (argc > 4) {
+    vicus::VisibleOptions options;
+    options.over_roofs = argv[4] == std::string("yes") ? vicus::OverRoofs::yes : vicus::OverRoofs::no;
+    vicus::list_visible(city, options);
+  }
   const std::clock_t before = std::clock();
   const vicus::test::RayReport report = vicus::test::shoot_rays(city, std::strtoull(argv[2], nullptr, 10),
                                                                 argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);

@@ -37,7 +37,8 @@ SightLists measure_level(const City& city) {
   before = cpu_seconds();
   SightLists lists = lines_of_sight(map, {});
   const double search_s = cpu_seconds() - before;
-  std::size_t largest = 0, one_way = 0;
+  std::size_t largest = 0, one_way = 0, houses = 0;
+  for (const auto& list : lists.houses) houses += list.size();
   for (std::uint32_t a = 0; a < lists.visible.size(); ++a) {
     largest = std::max(largest, lists.visible[a].size());
     for (const std::uint32_t b : lists.visible[a])
@@ -45,9 +46,16 @@ SightLists measure_level(const City& city) {
   }
   std::printf("%zu sectors, %zu cells (%u of sectors): map %.3f CPU s, search %.3f CPU s\n", map.sector_count(),
               map.cells.size(), map.begin.back(), map_s, search_s);
-  std::printf("%.2f M steps, %.1f M a CPU second; L_vis mean %.1f, largest %zu; %zu one-way pairs, %zu over budget\n",
-              double(lists.steps) / 1e6, double(lists.steps) / 1e6 / search_s,
-              double(pairs_of(lists)) / double(map.sector_count()), largest, one_way, lists.over_budget.size());
+  std::printf(
+      "%.2f M steps, %.1f M a CPU second; L_vis mean %.1f, largest %zu; %.1f houses of other sectors each; %zu one-way "
+      "pairs, %zu over budget\n",
+      double(lists.steps) / 1e6, double(lists.steps) / 1e6 / search_s,
+      double(pairs_of(lists)) / double(map.sector_count()), largest, double(houses) / double(map.sector_count()),
+      one_way, lists.over_budget.size());
+  SightOptions counting;
+  counting.count_cells = true;
+  std::printf("different cells that each sector's looks enter, all sectors: %.2f M\n",
+              double(lines_of_sight(map, counting).cells) / 1e6);
   return lists;
 }
 
@@ -60,9 +68,8 @@ void measure_roofs(const City& city, const SightLists& level, double least_m) {
   options.first_radius_m = number_from("FIRST", options.first_radius_m);
   options.pair_radius_m = number_from("PAIR", options.pair_radius_m);
   options.every = static_cast<std::uint32_t>(number_from("EVERY", 1));
-  const double before = cpu_seconds();
-  const RoofLists roofs = sights_over_roofs(city, level.visible, options);
-  const double seconds = cpu_seconds() - before;
+  const RoofLists roofs = sights_over_roofs(city, level, options);
+  const double seconds = roofs.first_s + roofs.closer_s + roofs.pairs_s;
   const double measured = double((city.sectors.size() + options.every - 1) / options.every);
   double sectors = 0, unresolved = 0;
   for (const auto& list : roofs.visible)
@@ -73,11 +80,13 @@ void measure_roofs(const City& city, const SightLists& level, double least_m) {
       unresolved += is_proven ? 0 : 1;
     }
   std::printf(
-      "least radius %.3f m: %.2f CPU s, %.1f ms a sector; over roofs %.2f sectors each, %.2f unresolved = %.2f %% of "
+      "least radius %.3f m: scene %.2f CPU s, then %.2f (first horizons %.2f, smaller %.2f, pairs %.2f), %.1f ms a "
+      "sector; over roofs %.2f sectors each, %.2f unresolved = %.2f %% of "
       "L_vis; %.0f k horizons, %.1f M tests, %.2f M pairs of pieces, %.2f M rays\n",
-      least_m, seconds, 1e3 * seconds / measured, sectors / measured, unresolved / measured,
-      100 * unresolved / (double(pairs_of(level)) / options.every + sectors), double(roofs.horizons) / 1e3,
-      double(roofs.tests) / 1e6, double(roofs.fine_tests) / 1e6, double(roofs.rays) / 1e6);
+      least_m, roofs.scene_s, seconds, roofs.first_s, roofs.closer_s, roofs.pairs_s, 1e3 * seconds / measured,
+      sectors / measured, unresolved / measured, 100 * unresolved / (double(pairs_of(level)) / options.every + sectors),
+      double(roofs.horizons) / 1e3, double(roofs.tests) / 1e6, double(roofs.fine_tests) / 1e6,
+      double(roofs.rays) / 1e6);
   std::fflush(stdout);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// A side as something to step over, going out of its cell: `right` and `left` as the walker sees its ends.
 struct Step {
-  std::uint32_t from_cell, to_cell, right, left;  // points by index
+  std::uint32_t from_cell, to_cell, right, left;  // points by index; to_cell kWall and more: a wall
 };
 
 struct Graph {
@@ -27,17 +27,18 @@ Graph graph_of(const SightMap& map) {
   for (std::uint32_t c = 0; c < map.cells.size(); ++c)
     for (std::size_t k = 0; k < 3; ++k)
       if (const std::uint32_t side = map.cells[c].beyond[k]; side != kNowhere)
-        graph.steps.push_back(
-            {c, side / 4, index(map.cells[c].corner[(k + 1) % 3]), index(map.cells[c].corner[(k + 2) % 3])});
+        graph.steps.push_back({c, side < kWall ? side / 4 : side, index(map.cells[c].corner[(k + 1) % 3]),
+                               index(map.cells[c].corner[(k + 2) % 3])});
   return graph;
 }
 
 }  // namespace
 
-std::set<std::pair<std::uint32_t, std::uint32_t>> sectors_in_sight_by_brute_force(const SightMap& map) {
+Sights sights_by_brute_force(const SightMap& map) {
   const Graph graph = graph_of(map);
   const std::size_t points = graph.points.size(), cells = map.cells.size();
   std::vector<char> seen(map.sector_count() * map.sector_count(), 0);
+  std::vector<char> met(map.sector_count() * map.groups.size(), 0);
   std::vector<double> x(points), y(points);  // exact: differences below 2^31, products below 2^53 by the assertion
   for (std::size_t i = 0; i < points; ++i) x[i] = graph.points[i].x, y[i] = graph.points[i].y;
   std::vector<signed char> side_of(points);
@@ -65,7 +66,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> sectors_in_sight_by_brute_forc
       for (const std::uint32_t first : crossed) {
         const Step& exit = graph.steps[first];
         const std::uint32_t source = map.cells[exit.from_cell].sector;
-        if (source == kNowhere || map.cells[exit.to_cell].sector == source) continue;
+        if (source == kNowhere || exit.to_cell >= kWall || map.cells[exit.to_cell].sector == source) continue;
         ++stamp;
         reached[exit.to_cell] = stamp;
         queue.assign(1, exit.to_cell);
@@ -73,20 +74,33 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> sectors_in_sight_by_brute_forc
           const std::uint32_t c = queue.back();
           queue.pop_back();
           if (map.cells[c].sector != kNowhere) seen[source * map.sector_count() + map.cells[c].sector] = 1;
+          met[source * map.groups.size() + map.cells[c].group] = 1;
           for (std::uint32_t i = crossed_begin[c]; i < crossed_begin[c + 1]; ++i) {
             const std::uint32_t n = graph.steps[crossed[i]].to_cell;
-            if (reached[n] == stamp) continue;
+            if (n >= kWall) met[source * map.groups.size() + n - kWall] = 1;
+            if (n >= kWall || reached[n] == stamp) continue;
             reached[n] = stamp;
             queue.push_back(n);
           }
         }
       }
     }
-  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::uint32_t a = 0; a < map.sector_count(); ++a)
+  Sights sights;
+  for (std::uint32_t a = 0; a < map.sector_count(); ++a) {
+    for (std::uint32_t c = map.begin[a]; c < map.begin[a + 1]; ++c) {
+      met[a * map.groups.size() + map.cells[c].group] = 1;
+      for (const std::uint32_t side : map.cells[c].beyond)
+        if (side >= kWall && side != kNowhere) met[a * map.groups.size() + side - kWall] = 1;
+    }
+    seen[a * map.sector_count() + a] = 1;
     for (std::uint32_t b = 0; b < map.sector_count(); ++b)
-      if (a == b || seen[a * map.sector_count() + b]) pairs.insert({a, b});
-  return pairs;
+      if (seen[a * map.sector_count() + b]) sights.sectors.insert({a, b});
+    for (std::uint32_t g = 0; g < map.groups.size(); ++g)
+      for (const std::uint32_t house : map.groups[g])
+        if (met[a * map.groups.size() + g] && !seen[a * map.sector_count() + map.owner[house]])
+          sights.houses.insert({a, house});
+  }
+  return sights;
 }
 
 }  // namespace vicus::test

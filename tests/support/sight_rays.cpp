@@ -1,166 +1,20 @@
 #include "tests/support/sight_rays.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <unordered_map>
 
 #include "city_db/run_parallel.hpp"
-#include "city_db/terrain.hpp"
+#include "tests/support/ray_scene.hpp"
 
 namespace vicus::test {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xffffffffu;
 constexpr float kInset_m = 0.02F;
-constexpr double kDeep_m = -1000;
-constexpr double kStops_m = 2.5;  // walls that stop sight are in the scene, but nobody's
-
-/// What a triangle belongs to.
-struct Owner {
-  std::uint32_t sector = kNobody, house = kNobody;
-};
-
-struct Triangle3 {
-  std::uint32_t a, b, c;
-};
-
-/// The city in triangles, around the middle of its box.
-class Scene {
- public:
-  explicit Scene(const City& city) : city_(city) {
-    for (std::uint32_t s = 0; s < city.sectors.size(); ++s) sectors_.emplace(city.sectors[s].id, s);
-    for (std::uint32_t h = 0; h < city.buildings.size(); ++h) houses_.emplace(city.buildings[h].id, h);
-    for (const auto& s : city.sectors)
-      for (const PlanPoint p : s.ground.outer) box_.add(p);
-    is_flat_ = city.terrain.height_mm.empty();
-    for (std::uint32_t s = 0; is_flat_ && s < city.sectors.size(); ++s) add_ground(s);
-    facades();
-    for (std::uint32_t h = 0; h < city.buildings.size(); ++h) add_house(h);
-    for (const auto& o : city.obstacles)
-      if (is_flat_ && o.height_m > kStops_m)
-        add_walls(o.area, 0, o.height_m, [](PlanPoint, PlanPoint) { return Owner{}; });
-    device_ = rtcNewDevice("threads=1");
-    scene_ = rtcNewScene(device_);
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), points_.size() / 3));
-    std::copy(points_.begin(), points_.end(), points);
-    auto* triangles = static_cast<Triangle3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle3), triangles_.size()));
-    std::copy(triangles_.begin(), triangles_.end(), triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_);
-    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot hold the city");
-  }
-  ~Scene() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-
-  RTCScene scene() const { return scene_; }
-  Owner owner(std::uint32_t triangle) const { return owners_[triangle]; }
-  double x_of(PlanPoint p) const { return metres(std::int64_t{p.x} - middle().x); }
-  /// The height of the house's own 0.
-  double zero_of(const Building& b) const {
-    const auto& ring = b.footprint.outer;
-    return height_m(city_.terrain, ring[ring.size() / 2]);
-  }
-  double ground_at(double x, double y) const {
-    const auto mm = [](double m, std::int32_t from) {
-      return from + static_cast<std::int32_t>(std::lround(m * kMmPerMetre));
-    };
-    return height_m(city_.terrain, {mm(x, middle().x), mm(y, middle().y)});
-  }
-  double y_of(PlanPoint p) const { return metres(std::int64_t{p.y} - middle().y); }
-
- private:
-  PlanPoint middle() const {
-    return {static_cast<std::int32_t>((std::int64_t{box_.min.x} + box_.max.x) / 2),
-            static_cast<std::int32_t>((std::int64_t{box_.min.y} + box_.max.y) / 2)};
-  }
-  std::uint32_t add_point(PlanPoint p, double up_m) {
-    for (const double v : {x_of(p), y_of(p), up_m}) points_.push_back(static_cast<float>(v));
-    return static_cast<std::uint32_t>(points_.size() / 3 - 1);
-  }
-  void add_flat(const Polygon& polygon, const Triangles& triangles, double up_m, Owner owner) {
-    std::vector<std::uint32_t> at;
-    for (const PlanPoint p : polygon.outer) at.push_back(add_point(p, up_m));
-    for (const auto& hole : polygon.holes)
-      for (const PlanPoint p : hole) at.push_back(add_point(p, up_m));
-    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-      triangles_.push_back({at[triangles[i]], at[triangles[i + 1]], at[triangles[i + 2]]});
-      owners_.push_back(owner);
-    }
-  }
-  void add_roof(const Roof& roof, double zero_m, Owner owner) {
-    std::vector<std::uint32_t> at;
-    for (const auto& p : roof.points) at.push_back(add_point(p.at, zero_m + p.up / kRoofStepsPerMetre));
-    for (const auto& facet : roof.facets)
-      for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
-        triangles_.push_back({at[facet.triangles[i]], at[facet.triangles[i + 1]], at[facet.triangles[i + 2]]});
-        owners_.push_back(owner);
-      }
-  }
-  template <class OwnerOf>
-  void add_walls(const Polygon& polygon, double low_m, double high_m, OwnerOf owner_of) {
-    const auto add = [&](const Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-        const auto p = add_point(a, low_m), q = add_point(b, low_m), r = add_point(b, high_m), s = add_point(a, high_m);
-        triangles_.push_back({p, q, r});
-        triangles_.push_back({p, r, s});
-        owners_.insert(owners_.end(), 2, owner_of(a, b));
-      }
-    };
-    add(polygon.outer);
-    for (const auto& hole : polygon.holes) add(hole);
-  }
-  void add_ground(std::uint32_t s) {
-    add_flat(city_.sectors[s].ground, city_.sectors[s].ground_triangles, 0, {s, kNobody});
-  }
-  void facades() {
-    for (const auto& border : city_.borders)
-      if (border.kind == BorderKind::facade)
-        for (std::size_t i = 0; i + 1 < border.line.size(); ++i)
-          facade_[{houses_.at(border.building_id), {border.line[i + 1], border.line[i]}}] =
-              sectors_.at(border.sector_id);
-  }
-  void add_house(std::uint32_t h) {
-    const Building& b = city_.buildings[h];
-    const auto own = sectors_.find(b.sector_id);
-    const std::uint32_t sector = own == sectors_.end() ? kNobody : own->second;
-    const double zero = zero_of(b), top = zero + (b.eave_m > b.base_m ? b.eave_m : b.height_m);  // as it is drawn
-    add_roof(b.roof, zero, {sector, h});
-    add_walls(b.footprint, is_flat_ ? b.base_m : kDeep_m, top, [&](PlanPoint from, PlanPoint to) {
-      const auto facade = facade_.find({h, {from, to}});
-      return Owner{facade == facade_.end() ? sector : facade->second, h};
-    });
-  }
-
-  const City& city_;
-  bool is_flat_ = true;
-  PlanBox box_;
-  std::unordered_map<std::string, std::uint32_t> sectors_, houses_;
-  std::map<std::pair<std::uint32_t, std::pair<PlanPoint, PlanPoint>>, std::uint32_t> facade_;
-  std::vector<float> points_;
-  std::vector<Triangle3> triangles_;
-  std::vector<Owner> owners_;
-  RTCDevice device_ = nullptr;
-  RTCScene scene_ = nullptr;
-};
+constexpr double kStops_m = 2.5;
 
 /// What City::visible promises.
 class Promise {
@@ -196,13 +50,9 @@ bool is_level(const City& city) {
   return made != city.meta.end() && made->second == "no";
 }
 
-struct Vec {
-  float x, y, z;
-};
-
 class Shooter {
  public:
-  Shooter(const City& city, const Scene& scene, const Promise& promise, std::uint64_t seed)
+  Shooter(const City& city, const RayScene& scene, const Promise& promise, std::uint64_t seed)
       : city_(city), scene_(scene), promise_(promise), is_level_(is_level(city)), random_(seed) {
     for (std::uint32_t h = 0; h < city.buildings.size(); ++h)
       if (city.buildings[h].height_m > kStops_m * (is_level_ ? 1 : 2)) aims_.push_back(h);
@@ -260,43 +110,21 @@ class Shooter {
     const float at = share();
     const float x = static_cast<float>(scene_.x_of(a) + at * (scene_.x_of(b) - scene_.x_of(a)));
     const float y = static_cast<float>(scene_.y_of(a) + at * (scene_.y_of(b) - scene_.y_of(a)));
-    if (is_level_) return {x - eye.x, y - eye.y, -eye.z * share() * share()};
+    if (is_level_ && share() < 0.5F) return {x - eye.x, y - eye.y, -eye.z * share() * share()};
     const double top = scene_.zero_of(house) + (house.eave_m > house.base_m ? house.eave_m : house.height_m);
     const float up = static_cast<float>(top - 0.3 * house.height_m * share() * share()) - 0.01F;
     return {x - eye.x, y - eye.y, up - eye.z};
   }
   Vec around(float turn) {
-    const float angle = turn + 0.1F * share(),
-                rise = is_level_ ? -0.15F * share() * share() : std::tan(-0.15F + 0.6F * share() * share());
+    const float angle = turn + 0.1F * share(), rise = std::tan(-0.15F + 0.6F * share() * share());
     return {std::cos(angle), std::sin(angle), rise};
-  }
-
-  /// What 16 rays meet first; kNobody where nothing or nobody's.
-  void meet(Vec eye, const Vec* directions, Owner* found) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    alignas(64) RTCRayHit16 packet;
-    alignas(64) int valid[16];
-    for (int i = 0; i < 16; ++i) {
-      valid[i] = -1;
-      packet.ray.org_x[i] = eye.x, packet.ray.org_y[i] = eye.y, packet.ray.org_z[i] = eye.z;
-      packet.ray.dir_x[i] = directions[i].x, packet.ray.dir_y[i] = directions[i].y,
-      packet.ray.dir_z[i] = directions[i].z;
-      packet.ray.tnear[i] = 0, packet.ray.tfar[i] = INFINITY;
-      packet.ray.mask[i] = ~0U, packet.ray.flags[i] = 0, packet.ray.time[i] = 0, packet.ray.id[i] = 0;
-      packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-      packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    rtcIntersect16(valid, scene_.scene(), &context, &packet);
-    for (int i = 0; i < 16; ++i)
-      found[i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? Owner{} : scene_.owner(packet.hit.primID[i]);
   }
 
   void shoot(std::uint32_t sector, Vec eye, const Vec* directions) {
     Owner found[16];
-    meet(eye, directions, found);
+    scene_.meet(eye, directions, found);
     rays += 16;
+    if (is_level_) forget_what_is_over_roofs(eye, directions, found);
     for (int i = 0; i < 16; ++i) {
       if (found[i].sector == kNobody) continue;
       pairs.insert((std::uint64_t{sector} << 32) | found[i].sector);
@@ -306,6 +134,17 @@ class Shooter {
         missing.insert(promise_.describe(sector, found[i]) + " from " + std::to_string(eye.x) + " " +
                        std::to_string(eye.y) + " " + std::to_string(eye.z));
     }
+  }
+
+  /// What a rising ray meets counts when a level one in the same direction meets the same house.
+  void forget_what_is_over_roofs(Vec eye, const Vec* directions, Owner* found) {
+    Vec level[16];
+    for (int i = 0; i < 16; ++i) level[i] = {directions[i].x, directions[i].y, 0};
+    Owner met[16];
+    scene_.meet(eye, level, met);
+    rays += 16;
+    for (int i = 0; i < 16; ++i)
+      if (directions[i].z > 0 && (met[i].sector == kNobody || met[i].house != found[i].house)) found[i] = Owner{};
   }
 
   /// Against leaks of floats at seams: rays a millimetre beside see the same.
@@ -318,14 +157,14 @@ class Shooter {
            direction.z + spread * (share() - 0.5F)};
     }
     Owner found[16];
-    meet(eye, beside, found);
+    scene_.meet(eye, beside, found);
     rays += 16;
     return std::count_if(found, found + 16,
                          [&](Owner o) { return o.sector == what.sector && o.house == what.house; }) >= 6;
   }
 
   const City& city_;
-  const Scene& scene_;
+  const RayScene& scene_;
   const Promise& promise_;
   bool is_level_;
   std::mt19937_64 random_;
@@ -335,7 +174,7 @@ class Shooter {
 }  // namespace
 
 RayReport shoot_rays(const City& city, std::uint64_t rays, std::uint64_t seed, unsigned threads) {
-  const Scene scene(city);
+  const RayScene scene(city);
   const Promise promise(city);
   constexpr int kPackets = 64;
   const std::uint64_t looks = rays / (16 * kPackets) + 1;

@@ -9,21 +9,14 @@
 namespace vicus::test {
 namespace {
 
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
-
-Pairs pairs_of(const SightLists& lists) {
+Pairs pairs_of(const std::vector<std::vector<std::uint32_t>>& lists) {
   Pairs pairs;
-  for (std::uint32_t a = 0; a < lists.visible.size(); ++a)
-    for (const std::uint32_t b : lists.visible[a]) pairs.insert({a, b});
+  for (std::uint32_t a = 0; a < lists.size(); ++a)
+    for (const std::uint32_t b : lists[a]) pairs.insert({a, b});
   return pairs;
 }
 
-void expect_exact(const City& city, std::size_t& cells) {
-  const SightMap map = make_sight_map(city);
-  cells += map.cells.size();
-  const SightLists lists = lines_of_sight(map, {});
-  EXPECT_TRUE(lists.over_budget.empty());
-  const Pairs fast = pairs_of(lists), slow = sectors_in_sight_by_brute_force(map);
+void expect_equal(const Pairs& fast, const Pairs& slow) {
   std::size_t missing = 0, extra = 0;
   for (const auto& pair : slow) missing += !fast.contains(pair);
   for (const auto& pair : fast) extra += !slow.contains(pair);
@@ -31,8 +24,29 @@ void expect_exact(const City& city, std::size_t& cells) {
   EXPECT_EQ(extra, 0u) << "of " << fast.size();
 }
 
+struct Counts {
+  std::size_t cells = 0, houses = 0;
+};
+
+void expect_exact(const City& city, Counts& counts) {
+  const SightMap map = make_sight_map(city);
+  const SightLists lists = lines_of_sight(map, {});
+  EXPECT_TRUE(lists.over_budget.empty());
+  const Sights slow = sights_by_brute_force(map);
+  expect_equal(pairs_of(lists.visible), slow.sectors);
+  expect_equal(pairs_of(lists.houses), slow.houses);
+  counts.cells += map.cells.size();
+  counts.houses += slow.houses.size();
+}
+
+/// Owned by any sector: mostly not one beside it.
+void deal_out_houses(City& city, std::uint64_t seed) {
+  for (std::size_t i = 0; i < city.buildings.size(); ++i)
+    city.buildings[i].sector_id = city.sectors[(i * 7 + seed) % city.sectors.size()].id;
+}
+
 TEST(LineOfSight, IsExactOnRandomPartitions) {
-  std::size_t cells = 0;
+  Counts counts;
   for (const std::uint64_t seed : seeds(1, 160)) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto side = static_cast<std::uint32_t>(4 + seed % 9);
@@ -40,22 +54,26 @@ TEST(LineOfSight, IsExactOnRandomPartitions) {
     // Some houses and obstacles stop sight, some do not.
     for (std::size_t i = 0; i < random.city.buildings.size(); ++i) random.city.buildings[i].height_m = i % 4 ? 9 : 2;
     for (std::size_t i = 0; i < random.city.obstacles.size(); ++i) random.city.obstacles[i].height_m = i % 2 ? 3 : 1;
-    expect_exact(random.city, cells);
+    if (!random.city.sectors.empty()) deal_out_houses(random.city, seed);
+    expect_exact(random.city, counts);
   }
-  std::cout << cells << " cells\n";
+  EXPECT_GT(counts.houses, 100u);
+  std::cout << counts.cells << " cells, " << counts.houses << " houses in sight, their owners not\n";
 }
 
 TEST(LineOfSight, IsExactOnRandomTowns) {
-  std::size_t cells = 0;
+  Counts counts;
   int towns = 0;
   for (std::uint64_t seed = 1; towns < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const City city = random_town_city(seed);
+    City city = random_town_city(seed);
+    if (seed % 2 == 0) deal_out_houses(city, seed);
     if (make_sight_map(city).cells.size() > 400) continue;
-    expect_exact(city, cells);
+    expect_exact(city, counts);
     ++towns;
   }
-  std::cout << cells << " cells\n";
+  EXPECT_GT(counts.houses, 100u);
+  std::cout << counts.cells << " cells, " << counts.houses << " houses in sight, their owners not\n";
 }
 
 }  // namespace

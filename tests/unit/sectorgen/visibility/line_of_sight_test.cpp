@@ -19,10 +19,10 @@ Lists lists_of(const City& city) { return lines_of_sight(make_sight_map(city), {
 void expect_brute_force_agrees(const City& city) {
   const SightMap map = make_sight_map(city);
   const Lists lists = lines_of_sight(map, {}).visible;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  Pairs pairs;
   for (std::uint32_t a = 0; a < lists.size(); ++a)
     for (const std::uint32_t b : lists[a]) pairs.insert({a, b});
-  EXPECT_EQ(pairs, sectors_in_sight_by_brute_force(map));
+  EXPECT_EQ(pairs, sights_by_brute_force(map).sectors);
 }
 
 bool sees(const Lists& lists, std::uint32_t a, std::uint32_t b) {
@@ -98,6 +98,90 @@ TEST(LineOfSight, OfAShutYardIsTheYardItself) {
   add_house(city, kStrip);
   add_house(city, {{-5'000, 0}, {0, 0}, {0, 10'000}, {-5'000, 10'000}});
   EXPECT_EQ(lists_of(city)[0], (std::vector<std::uint32_t>{0}));
+}
+
+/// The left yard, water, then a house that belongs to the right yard behind it.
+City quay() {
+  City city = two_yards();
+  for (auto& p : city.sectors[1].ground.outer) p.x += 20'000;
+  for (auto& b : city.buildings) b.sector_id = "s0";
+  city.buildings[0].footprint.outer = {{-5'000, 10'000}, {0, 10'000},      {10'000, 10'000},
+                                       {14'000, 10'000}, {34'000, 10'000}, {44'000, 10'000},
+                                       {50'000, 10'000}, {50'000, 20'000}, {-5'000, 20'000}};
+  city.buildings[1].footprint.outer = {{-5'000, -10'000}, {50'000, -10'000}, {50'000, 0}, {44'000, 0}, {34'000, 0},
+                                       {14'000, 0},       {10'000, 0},       {0, 0},      {-5'000, 0}};
+  city.obstacles.push_back({ObstacleKind::water, "", 0, {kStrip, {}}});
+  add_house(city, {{14'000, 0},
+                   {34'000, 0},
+                   {34'000, 4'000},
+                   {34'000, 6'000},
+                   {34'000, 10'000},
+                   {14'000, 10'000},
+                   {14'000, 6'000},
+                   {14'000, 4'000}});
+  city.buildings[2].sector_id = "s1";
+  return city;
+}
+
+using Houses = std::vector<std::uint32_t>;
+
+TEST(HousesInSight, ListABackAcrossWaterWhoseOwnerIsNot) {
+  const SightLists lists = lines_of_sight(make_sight_map(quay()), {});
+  EXPECT_EQ(lists.visible[0], Houses{0});
+  EXPECT_EQ(lists.houses[0], Houses{2});
+  EXPECT_EQ(lists.houses[1], (Houses{0, 1})) << "the walls beside it belong to the other yard";
+}
+
+TEST(HousesInSight, LeaveOutWhatComesWithASectorOrFromNobody) {
+  City own = quay();
+  own.buildings[2].sector_id = "s0";
+  EXPECT_EQ(lines_of_sight(make_sight_map(own), {}).houses[0], Houses{});
+  City nobodys = quay();
+  nobodys.buildings[2].sector_id.clear();
+  EXPECT_EQ(lines_of_sight(make_sight_map(nobodys), {}).houses[0], Houses{});
+  City open = two_yards();
+  for (auto& b : open.buildings) b.sector_id = "s1";
+  EXPECT_EQ(lines_of_sight(make_sight_map(open), {}).houses[0], Houses{}) << "their owner is in sight";
+}
+
+TEST(HousesInSight, LeaveOutWhatStandsBehindAHouseOrAWall) {
+  City house = quay();
+  add_house(house, kStrip);
+  EXPECT_EQ(lines_of_sight(make_sight_map(house), {}).houses[0], Houses{});
+  City wall = quay();
+  wall.obstacles[0] = {ObstacleKind::wall, "", 3, {kStrip, {}}};
+  EXPECT_EQ(lines_of_sight(make_sight_map(wall), {}).houses[0], Houses{});
+}
+
+TEST(HousesInSight, ListShedsAndHousesInTheAirThatStopNoLook) {
+  for (const auto& [base_m, height_m] : {std::pair(0.0, 2.0), {3.0, 8.0}}) {
+    City city = quay();
+    add_house(city, {{11'000, 3'000}, {13'000, 3'000}, {13'000, 5'000}, {11'000, 5'000}}, base_m, height_m);
+    city.buildings[3].sector_id = "s1";
+    EXPECT_EQ(lines_of_sight(make_sight_map(city), {}).houses[0], (Houses{2, 3}));
+  }
+}
+
+TEST(HousesInSight, AreNeverLostByASectorOverBudget) {
+  GridOptions grid;
+  grid.side = 6;
+  City city = grid_city(grid);
+  for (std::size_t i = 0; i < city.buildings.size(); ++i)
+    city.buildings[i].sector_id = city.sectors[(i * 31) % city.sectors.size()].id;
+  const SightMap map = make_sight_map(city);
+  const SightLists exact = lines_of_sight(map, {});
+  SightOptions tight;
+  tight.step_budget = 20;
+  const SightLists bounded = lines_of_sight(map, tight);
+  std::size_t count = 0;
+  for (std::uint32_t s = 0; s < exact.houses.size(); ++s)
+    for (const std::uint32_t house : exact.houses[s]) {
+      const auto& visible = bounded.visible[s];
+      EXPECT_TRUE(std::binary_search(bounded.houses[s].begin(), bounded.houses[s].end(), house) ||
+                  std::binary_search(visible.begin(), visible.end(), map.owner[house]));
+      ++count;
+    }
+  EXPECT_GT(count, 100u);
 }
 
 /// Four corridors in line, 1 km each, houses around; between them slots of 1 m depth. The first and the last slot are

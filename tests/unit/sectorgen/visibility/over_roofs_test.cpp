@@ -44,8 +44,15 @@ City two_rows(double first_m, double second_m, double first_base_m = 0) {
   return city;
 }
 
+SightLists level_lists(std::vector<std::vector<std::uint32_t>> visible) {
+  SightLists lists;
+  lists.houses.resize(visible.size());
+  lists.visible = std::move(visible);
+  return lists;
+}
+
 std::vector<RoofSight> seen_from_street(const City& city, const RoofOptions& options = {}) {
-  return sights_over_roofs(city, {{0}, {1}}, options).visible[0];
+  return sights_over_roofs(city, level_lists({{0}, {1}}), options).visible[0];
 }
 bool lists(const std::vector<RoofSight>& sights, std::uint32_t house) {
   return std::any_of(sights.begin(), sights.end(), [&](const RoofSight& s) { return s.house == house; });
@@ -78,7 +85,7 @@ Terrain slope(double rise_per_5_m) {
 std::vector<RoofSight> seen_on(const Terrain& terrain, City city, std::uint32_t from) {
   city.terrain = terrain;
   for (auto& sector : city.sectors) sector.ground_triangles = {0, 1, 2, 0, 2, 3};
-  return sights_over_roofs(city, {{0}, {1}}, {}).visible[from];
+  return sights_over_roofs(city, level_lists({{0}, {1}}), {}).visible[from];
 }
 
 TEST(SightsOverRoofs, ListAHouseThatStandsHigherUpASlope) {
@@ -115,7 +122,7 @@ TEST(SightsOverRoofs, SayWhatWasNotTold) {
 
 TEST(SightsOverRoofs, LeaveOutSectorsInSightOnTheLevel) {
   const City city = two_rows(10, 80);
-  EXPECT_TRUE(sights_over_roofs(city, {{0, 1}, {0, 1}}, {}).visible[0].empty());
+  EXPECT_TRUE(sights_over_roofs(city, level_lists({{0, 1}, {0, 1}}), {}).visible[0].empty());
 }
 
 TEST(SightsOverRoofs, LookBelowAHouseThatHangsInTheAir) {
@@ -149,7 +156,7 @@ TEST(SightsOverRoofs, AreTheSameForAnyNumberOfThreadsAndSmallerWithFinerPieces) 
     city.buildings[i].height_m = city.buildings[i].eave_m = i % 7 == 0 ? 60 : 8 + static_cast<double>(i % 5);
     city.buildings[i].sector_id = city.sectors[i].id;
   }
-  const auto level = lines_of_sight(make_sight_map(city), {}).visible;
+  const SightLists level = lines_of_sight(make_sight_map(city), {});
   const auto pairs_of = [&](unsigned threads, double least_m) {
     RoofOptions options;
     options.threads = threads;
@@ -259,8 +266,8 @@ TEST(HouseWalls, CutALineWhereSamplingDoes) {
     for (int i = 0; i < 300; ++i) {
       Spot p = block.anywhere();
       const Spot q = block.anywhere();
-      p.y = -1 - 9 * block.share();  // eyes are not in houses
-      walls.cut(p, q, crossings);
+      p.y = -1 - 9 * block.share();              // eyes are not in houses
+      walls.cut(p, q, kNoRoof_m, 0, crossings);  // however high the houses are
       for (int k = 0; k < 50; ++k) {
         const double t = block.share();
         double height = 0;

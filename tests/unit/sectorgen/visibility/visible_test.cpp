@@ -51,12 +51,42 @@ TEST(ListVisible, LeavesRoofsOutWhereToldAndSaysSo) {
   City city = city_with_a_tower();
   VisibleOptions options;
   options.over_roofs = OverRoofs::no;
+  const auto sectors_that_name_the_tower = [&] {
+    return std::count_if(city.visible.begin(), city.visible.end(), [](const Visible& v) {
+      return std::find(v.building_ids.begin(), v.building_ids.end(), "h4") != v.building_ids.end();
+    });
+  };
   list_visible(city, options);
   EXPECT_EQ(city.meta["over_roofs"], "no");
-  for (const auto& v : city.visible) EXPECT_NE(v.reason, VisibleReason::over_roofs);
+  const auto on_the_level = sectors_that_name_the_tower();
+  for (const auto& v : city.visible) EXPECT_TRUE(v.is_proven);
   options.over_roofs = OverRoofs::automatic;
   list_visible(city, options);
   EXPECT_EQ(city.meta["over_roofs"], "yes");
+  EXPECT_LT(on_the_level, sectors_that_name_the_tower());
+}
+
+TEST(ListVisible, NamesAHouseSeenOnTheLevelWhoseSectorIsNot) {
+  City city = city_with_a_tower();
+  VisibleOptions options;
+  options.over_roofs = OverRoofs::no;
+  list_visible(city, options);
+  // The house of the block beside s0 becomes that of a sector that s0 does not see.
+  std::set<std::string> seen;
+  for (const auto& v : city.visible)
+    if (v.sector_id == "s0") seen.insert(v.visible_sector_id);
+  const auto far =
+      std::find_if(city.sectors.begin(), city.sectors.end(), [&](const Sector& s) { return !seen.contains(s.id); });
+  ASSERT_NE(far, city.sectors.end());
+  city.buildings[0].sector_id = far->id;
+  list_visible(city, options);
+  const auto row = std::find_if(city.visible.begin(), city.visible.end(), [&](const Visible& v) {
+    return v.sector_id == "s0" && v.visible_sector_id == far->id;
+  });
+  ASSERT_NE(row, city.visible.end());
+  EXPECT_EQ(row->reason, VisibleReason::over_roofs);
+  EXPECT_EQ(row->building_ids, std::vector<std::string>{city.buildings[0].id});
+  EXPECT_TRUE(row->is_proven);
 }
 
 /// Issue 404.
