@@ -15,12 +15,14 @@ const kCesium = fileURLToPath(new URL('../../node_modules/cesium/Build/Cesium', 
 const kTypes = { '.js': 'text/javascript', '.json': 'application/json', '.glb': 'model/gltf-binary', '.css': 'text/css',
     '.wasm': 'application/wasm', '.html': 'text/html', '.png': 'image/png', '.jpg': 'image/jpeg' };
 /** The city from above at 40 degrees, nothing else: no globe, no imagery, nothing from elsewhere. */
-const kPage = `<!DOCTYPE html><meta charset="utf-8"><style>html, body, #city { margin: 0; height: 100%; }</style>
+const kPage = `<!DOCTYPE html><meta charset="utf-8"><style>html, body, #city, .cesium-widget, canvas { margin: 0; width: 100%; height: 100%; }</style>
 <div id="city"></div><script>window.CESIUM_BASE_URL = '/cesium/';</script><script src="/cesium/Cesium.js"></script>
 <script type="module">
 const widget = new Cesium.CesiumWidget('city', { baseLayer: false, globe: false, skyBox: false, skyAtmosphere: false,
     requestRenderMode: false, contextOptions: { webgl: { preserveDrawingBuffer: true } } });
 widget.scene.backgroundColor = Cesium.Color.WHITE;
+widget.clock.currentTime = Cesium.JulianDate.fromIso8601('2026-06-21T10:00:00Z');
+widget.clock.shouldAnimate = false;
 const tileset = await Cesium.Cesium3DTileset.fromUrl('/tiles/tileset.json');
 widget.scene.primitives.add(tileset);
 window.failed = [];
@@ -58,10 +60,14 @@ async function assertDrawn(tiles) {
         const { page, complaints } = await openTab(browser.context);
         await page.goto(`${server.origin}/`);
         await page.waitForFunction(() => window.vicus, null, { timeout: 120000 });
-        for (const [shot, ...view] of [['tiles-above', 0.4, -0.7, 420], ['tiles-near', 0.8, -0.35, 130]]) {
+        for (const [shot, ...view] of [['tiles-above', 0.4, -0.7, 420], ['tiles-near', 0.8, -0.3, 60]]) {
             await page.evaluate(view => window.vicus.look(...view), view);
-            await page.waitForTimeout(1000);
-            await page.waitForFunction(() => window.vicus.tileset.tilesLoaded, null, { timeout: 180000 });
+            // A new view is noticed in the next frame only.
+            await page.waitForFunction(() => {
+                const { tileset } = window.vicus, quiet = tileset.tilesLoaded && tileset.statistics.selected > 0;
+                window.quietSince = quiet ? window.quietSince || performance.now() : 0;
+                return quiet && performance.now() - window.quietSince > 3000;
+            }, null, { timeout: 240000 });
             const colours = await page.evaluate(coloursSeen);
             if (process.env.VICUS_SHOTS) {
                 mkdirSync(process.env.VICUS_SHOTS, { recursive: true });
