@@ -149,6 +149,17 @@ std::string record_json(const SectorRecord& record) {
   return json.dump();
 }
 
+Node links_node(const SectorRecord& record) {
+  const Sector& s = record.sector;
+  Node node("MetadataSet", "RECORD");
+  node.set("name", "sector").set("reference", "vicus 1");
+  node.add("value", texts("id", {s.id}));
+  node.add("value", numbers("origin", values_of(s.origin))).add("value", numbers("box", values_of(record.box)));
+  if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
+  if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
+  return node;
+}
+
 Node record_node(const SectorRecord& record) {
   const Sector& s = record.sector;
   Node node("MetadataSet", "RECORD");
@@ -173,6 +184,10 @@ Node record_node(const SectorRecord& record) {
   if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
+  std::vector<std::string> important;
+  for (const auto& [id, reason] : record.reasons)
+    if (reason == VisibleReason::important) important.push_back(id);
+  if (!important.empty()) node.add("value", texts("important", std::move(important)));
   return node;
 }
 

@@ -43,5 +43,8 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
 std::string record_json(const SectorRecord& record);
 /// MetadataSet DEF="RECORD".
 Node record_node(const SectorRecord& record);
+/// The same with no more than what leads further (id, place, neighbours, which of them are seen over roofs alone): for
+/// far files, so that a visitor's sets L_2, L_3 ... grow without a request for each record.
+Node links_node(const SectorRecord& record);
 
 }  // namespace vicus

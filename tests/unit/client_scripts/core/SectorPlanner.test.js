@@ -8,7 +8,7 @@ import { seeingFar, streetRecords } from '../../../support/streetRecords.js';
 class Visit {
     constructor({ start = 's0', options = {}, delay = 3, records = streetRecords(), broken = new Set() } = {}) {
         this.records = new Map(records.map(record => [record.id, record]));
-        this.planner = new SectorPlanner(start, options);
+        this.planner = new SectorPlanner(start, { fixedLevel: 1, ...options });
         this.planner.addNeighbour(this.records.get(start));
         Object.assign(this, { delay, broken, now: 0, pending: [], live: new Set(), asked: [], unloads: [], perFrame: 0 });
     }
@@ -28,7 +28,7 @@ class Visit {
     settle(stem) {
         if (this.broken.has(stem)) return this.planner.failed(stem, this.now);
         this.live.add(stem);
-        this.planner.arrived(stem, levelOf(stem) === 'near' ? this.records.get(stem) : null);
+        this.planner.arrived(stem, levelOf(stem) === 'tall' ? null : this.records.get(idOf(stem)));
     }
 
     stay(position, seconds) {
