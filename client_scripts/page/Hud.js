@@ -43,6 +43,12 @@ export class Hud {
         this.at('progress').firstElementChild.style.width = `${Math.round(100 * share)}%`;
     }
 
+    /** A file that failed stays one while it is asked for again. */
+    showFailures(count) {
+        if (count) this.showTrouble(`${count === 1 ? 'One place nearby' : `${count} places nearby`} cannot be loaded: trying again.`);
+        else this.hideTrouble();
+    }
+
     /** A word that goes by itself. */
     say(text) {
         this.showMessage(text, false);
