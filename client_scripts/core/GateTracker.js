@@ -15,12 +15,12 @@ const kMostPassed = 64;
  */
 export class GateTracker {
     constructor(marginMm) {
-        Object.assign(this, { marginMm, sector: null, passed: null });
+        Object.assign(this, { marginMm, sector: null, passed: [] });   // gates from what is reported to `sector`, in order
     }
 
     /** The visitor is in a sector (null: in none that is known), reported is `current` until he is off their gate. */
     reset(sectorId, current) {
-        Object.assign(this, { sector: sectorId, passed: current?.gates?.find(gate => gate.to === sectorId) ?? null });
+        Object.assign(this, { sector: sectorId, passed: (current?.gates ?? []).filter(gate => gate.to === sectorId).slice(0, 1) });
     }
 
     /** The sector to report after a step, or null: gates alone cannot tell. */
@@ -33,16 +33,29 @@ export class GateTracker {
             const pass = firstPass(sector.gates, from, to, at);
             if (pass === null) return boxContains(sector.box, to) ? this.report(current, to) : null;
             if (pass.isUnclear || !sectors.has(pass.gate.to)) return null;
-            Object.assign(this, { sector: pass.gate.to, passed: pass.gate });
+            this.pass(current, pass.gate);
             at = pass.share;
         }
         return null;
     }
 
+    /** Who comes back to a sector that he passed has passed nothing since. */
+    pass(current, gate) {
+        const seen = gate.to === current.id ? 0 : this.passed.findIndex(({ to }) => to === gate.to) + 1;
+        if (seen > 0 || gate.to === current.id) this.passed.length = seen;
+        else this.passed.push(gate);
+        this.sector = gate.to;
+    }
+
+    /** Behind the last of the gates passed whose box he has left. */
     report(current, to) {
-        if (this.sector === current.id) this.passed = null;
-        else if (!this.passed || distanceToLine(this.passed.line, to) > this.marginMm) return this.sector;
-        return current.id;
+        if (this.sector === current.id) return current.id;
+        let last = this.passed.length - 1;
+        while (last >= 0 && distanceToLine(this.passed[last].line, to) <= this.marginMm) --last;
+        if (this.passed.length === 0) return this.sector;
+        const reported = last >= 0 ? this.passed[last].to : current.id;
+        this.passed.splice(0, last + 1);
+        return reported;
     }
 }
 
