@@ -5,6 +5,9 @@ const kWalkKeys = {
 };
 const kLookPerPixel = 0.005;      // rad
 const kStickReach = 56;           // CSS pixels from the centre to full speed
+/** A press that moves less and is shorter is a click. */
+const kTapPixels = 6, kTapMilliseconds = 400;
+const kOwnKeys = 'button, input, select, textarea, a, article';
 
 /**
  * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
@@ -13,9 +16,9 @@ const kStickReach = 56;           // CSS pixels from the centre to full speed
  * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
  */
 export class Controls {
-    /** `stick`: the element that shows the touch stick. `commands`: code -> function. */
-    constructor(surface, stick, commands) {
-        Object.assign(this, { surface, stick, commands, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
+    /** `stick`: the element that shows the touch stick. `commands`: code -> function. `tap([x, y])`: a click, in its pixels. */
+    constructor(surface, stick, commands, tap = () => {}) {
+        Object.assign(this, { surface, stick, commands, tap, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
         addEventListener('keydown', event => this.keyDown(event));
         addEventListener('keyup', event => this.keyUp(event));
         addEventListener('blur', () => this.release());
@@ -42,7 +45,7 @@ export class Controls {
     keyDown(event) {
         this.shift = event.shiftKey;
         if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (event.target.closest?.('button, input, textarea, a') && event.code !== 'Escape') return;
+        if (event.target.closest?.(kOwnKeys) && event.code !== 'Escape' && isForElement(event)) return;
         if (event.code in kWalkKeys) {
             this.held.add(event.code);
             event.preventDefault();
@@ -67,7 +70,7 @@ export class Controls {
         if (event.pointerType === 'mouse' && event.button !== 0) return;
         const walks = event.pointerType === 'touch' && event.clientX < innerWidth / 2;
         const [x, y] = [event.clientX, event.clientY];
-        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y };
+        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y, at: event.timeStamp, moved: 0 };
         this.drags.set(event.pointerId, drag);
         this.surface.setPointerCapture?.(event.pointerId);
         this.surface.focus();
@@ -83,6 +86,7 @@ export class Controls {
             this.look[1] += (event.clientY - drag.y) * kLookPerPixel;
         }
         [drag.x, drag.y] = [event.clientX, event.clientY];
+        drag.moved = Math.max(drag.moved, Math.hypot(drag.x - drag.x0, drag.y - drag.y0));
         if (drag.role === 'walk') this.showStick(drag);
     }
 
@@ -91,6 +95,9 @@ export class Controls {
         this.drags.delete(event.pointerId);
         this.surface.classList.remove('dragging');
         if (drag?.role === 'walk') this.showStick(null);
+        if (event.type !== 'pointerup' || !drag || drag.moved > kTapPixels || event.timeStamp - drag.at > kTapMilliseconds) return;
+        const { left = 0, top = 0 } = this.surface.getBoundingClientRect?.() ?? {};
+        this.tap([drag.x - left, drag.y - top]);
     }
 
     showStick(drag) {
@@ -101,6 +108,11 @@ export class Controls {
         const [x, y] = [clamp((drag.x - drag.x0) / kStickReach), clamp((drag.y - drag.y0) / kStickReach)];
         this.stick.firstElementChild.style.transform = `translate(${x * 34}px, ${y * 34}px)`;
     }
+}
+
+/** Letters walk wherever the focus is, but where one types or chooses; other keys belong to what has the focus. */
+function isForElement({ target, code }) {
+    return target.closest('input, select, textarea') !== null || !/^Key[A-Z]$/.test(code);
 }
 
 function clamp(value) {

@@ -91,6 +91,11 @@ export class FetchedSectors {
         return [...this.files.values()].map(({ stem, phase, record }) => ({ stem, phase, record }));
     }
 
+    /** { stem, scene } of the files of a level that are there. */
+    live(level) {
+        return [...this.files.values()].filter(({ stem, phase }) => phase === 'live' && levelOf(stem) === level);
+    }
+
     /** Of what is on its way, as far as it is known. */
     get bytesInFlight() {
         let bytes = 0;

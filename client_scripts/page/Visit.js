@@ -1,3 +1,4 @@
+import { SectorFinder } from '../core/SectorFinder.js';
 import { SectorLoader } from '../x3d/SectorLoader.js';
 import { FetchedSectors } from './FetchedSectors.js';
 
@@ -66,8 +67,9 @@ export class Visit {
     }
 
     /** Applies settings that may change on the way. */
-    set({ level, line }) {
+    set({ level, line, test }) {
         const { loadsInFlight, limit } = kLines[line];
+        if (test !== this.planner.finder.test) this.planner.finder = new SectorFinder(test);
         this.planner.options.loadsInFlight = loadsInFlight;
         this.planner.choice.set(level, limit);
     }

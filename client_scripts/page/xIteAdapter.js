@@ -78,6 +78,15 @@ export class XIteAdapter {
         }
     }
 
+    /** [{ name, east, north, heading }] in a sector's scene, `origin` its place in plan. */
+    viewpointsOf(scene, [east, north]) {
+        const nodes = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Viewpoint');
+        return nodes.map(({ description, position: p, orientation: turn }) => {
+            const ahead = turn.multVec(new this.X3D.SFVec3f(0, 0, -1));
+            return { name: description, east: east + p.x, north: north - p.z, heading: Math.atan2(ahead.x, -ahead.z) };
+        });
+    }
+
     pose() {
         const view = this.browser.activeViewpoint.getValue(), p = view.getUserPosition();
         const ahead = view.getUserOrientation().multVecRot(new this.X3D.SFVec3f(0, 0, -1).getValue());

@@ -189,9 +189,10 @@ TEST_F(RoutesOfSampleCity, NameWhatIsNotThere) {
 }
 
 TEST_F(RoutesOfSampleCity, RefuseBadIdsAndAddresses) {
-  for (const char* target : {"/sectors/", "/sectors/a%20b.x3d", "/sectors/%C3%B6.x3d", "/sectors/.x3d",
-                             "/sectors/a/b.x3d", "/city.x3d?start=%22", "/city.x3d?start=a&start=b",
-                             "/city.x3d?static=yes", "/city.x3d?static=1&i=77", "/city.x3d?test=sphere", "/../etc/passwd", "/%00", "/%"})
+  for (const char* target :
+       {"/sectors/", "/sectors/a%20b.x3d", "/sectors/%C3%B6.x3d", "/sectors/.x3d", "/sectors/a/b.x3d",
+        "/city.x3d?start=%22", "/city.x3d?start=a&start=b", "/city.x3d?static=yes", "/city.x3d?static=1&i=77",
+        "/city.x3d?test=sphere", "/../etc/passwd", "/%00", "/%"})
     EXPECT_EQ(get(target).status, 400) << target;
   EXPECT_EQ(get("/" + std::string(5000, 'a')).status, 414);
 }
@@ -217,6 +218,9 @@ TEST_F(RoutesOfSampleCity, MakeTheRootWorldForAnyStart) {
   }
   EXPECT_NE(get("/city.x3d").body->find("<Script"), std::string::npos);
   EXPECT_EQ(get("/city.x3d?static=1&i=1").body->find("<Script"), std::string::npos);
+  EXPECT_NE(get("/city.x3d?i=2").body->find("name='level' type='SFString' accessType='initializeOnly' value='2'"),
+            std::string::npos);
+  EXPECT_NE(get("/city.x3d?test=gate").body->find("value='gate'"), std::string::npos);
   EXPECT_EQ(get("/city.wrl").body->substr(0, 15), "#VRML V2.0 utf8");
   const auto unknown = get("/city.x3d?start=nowhere");
   EXPECT_EQ(unknown.status, 404);
