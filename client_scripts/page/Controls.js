@@ -7,6 +7,7 @@ const kLookPerPixel = 0.005;      // rad
 const kStickReach = 56;           // CSS pixels from the centre to full speed
 /** A press that moves less and is shorter is a click. */
 const kTapPixels = 6, kTapMilliseconds = 400;
+/** Elements that have a use for keys themselves. */
 const kOwnKeys = 'button, input, select, textarea, a, article';
 
 /**
@@ -22,6 +23,7 @@ export class Controls {
         addEventListener('keydown', event => this.keyDown(event));
         addEventListener('keyup', event => this.keyUp(event));
         addEventListener('blur', () => this.release());
+        surface.addEventListener('mousedown', event => event.preventDefault(), { capture: true });   // the focus stays here
         surface.addEventListener('pointerdown', event => this.pointerDown(event));
         surface.addEventListener('pointermove', event => this.pointerMove(event));
         for (const type of ['pointerup', 'pointercancel']) surface.addEventListener(type, event => this.pointerUp(event));

@@ -13,7 +13,7 @@ const kNew = 0.2;
  */
 export class FetchedSectors {
     constructor(stage, base, { request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
-        Object.assign(this, { stage, base, request, clock, files: new Map(), ready: [], making: null });
+        Object.assign(this, { stage, base, request, clock, files: new Map(), ready: [], made: [] });
         this.means = { ...kTypicalBytes };
         this.loaded = { bytes: 0, files: 0 };
         this.bytesPerSecond = null;
@@ -48,20 +48,22 @@ export class FetchedSectors {
         this.bytesPerSecond = this.bytesPerSecond === null ? speed : this.bytesPerSecond + kNew * (speed - this.bytesPerSecond);
     }
 
-    /** Once a frame: makes one of the files that have come a part of the world. */
+    /** Once a frame: puts at most one file into the world, and begins to read at most one that has come. */
     frame() {
-        if (this.making) return;
-        const next = this.ready.shift();
+        const made = this.made.shift();
+        if (made && !made.abort.signal.aborted) this.insert(made);
+        const next = this.ready.find(({ abort }) => !abort.signal.aborted);
+        this.ready = next ? this.ready.slice(this.ready.indexOf(next) + 1) : [];
         if (!next) return;
         const { file, text, abort } = next;
-        if (abort.signal.aborted) return this.frame();
-        this.making = this.stage.makeScene(text).then(scene => {
-            if (abort.signal.aborted) return;
-            this.stage.fill(file.place, scene);
-            Object.assign(file, { phase: 'live', scene, record: levelOf(file.stem) === 'near' ? this.stage.recordOf(scene) : null });
-        }).catch(error => {
+        this.stage.makeScene(text).then(scene => { this.made.push({ file, scene, abort }); }).catch(error => {
             if (!abort.signal.aborted) Object.assign(file, { phase: 'failed', error });
-        }).finally(() => { this.making = null; });
+        });
+    }
+
+    insert({ file, scene }) {
+        this.stage.fill(file.place, scene);
+        Object.assign(file, { phase: 'live', scene, record: levelOf(file.stem) === 'near' ? this.stage.recordOf(scene) : null });
     }
 
     hide(stem) {

@@ -18,6 +18,7 @@ export class XIteAdapter {
         await new Promise((resolve, reject) => X3D(resolve, reject));
         const swallow = event => event.stopPropagation();
         for (const type of kTypesToSwallow) canvas.addEventListener(type, swallow, { capture: true, passive: true });
+        canvas.tabIndex = -1;   // the window around it has the focus and the keys
         const view = new XIteAdapter(X3D, canvas);
         withoutTangents(view.browser.currentScene);
         return view;
