@@ -20,7 +20,7 @@ const kMemoryFull = 0.85, kMemoryRoom = 0.6, kShapeRoom = 0.7;   // shares of wh
 export class LevelChoice {
     constructor({ start = 1, limit = 2, fixed = null } = {}) {
         Object.assign(this, { limit, fixed, chosen: Math.min(start, limit), frames: [], trial: null, median: null });
-        Object.assign(this, { restUntil: 0, futileUntil: 0, calmSince: null, reason: 'start' });
+        Object.assign(this, { restUntil: 0, futileUntil: 0, tooMuch: null, calmSince: null, reason: 'start' });
     }
 
     get i() {
@@ -43,21 +43,29 @@ export class LevelChoice {
      */
     judge({ now, isSettled, waitSeconds, shapes, nextShapes, shapeCap, memoryShare }) {
         if (this.fixed !== null) return;
-        if (shapes > shapeCap) return this.lower(now, 'Shapes');
-        if (memoryShare > kMemoryFull) return this.lower(now, 'memory');
-        if (waitSeconds > kLongWait && this.chosen > 1) return this.lower(now, 'line');
+        if (shapes > shapeCap) return void this.lower(now, 'Shapes');
+        if (memoryShare > kMemoryFull) return void this.lower(now, 'memory');
+        if (waitSeconds > kLongWait && this.chosen > 1) {
+            this.tooMuch = { i: this.chosen, until: now + kFutileSeconds };
+            return void this.lower(now, 'line');
+        }
         if (this.frames.length >= kFrames && !this.judgeFrames(now)) return;
-        this.calmSince = isSettled ? this.calmSince ?? now : null;
+        this.calmSince = isSettled && waitSeconds < kLongWait ? this.calmSince ?? now : null;
         const hasRoom = nextShapes < kShapeRoom * shapeCap && memoryShare < kMemoryRoom;
         const isCalm = this.calmSince !== null && now - this.calmSince >= kCalmSeconds && now >= this.restUntil;
         if (!hasRoom || this.isSlow(now)) this.calmSince = null;
-        else if (isCalm && !this.trial) this.change(Math.min(this.chosen + 1, this.limit), 'room');
+        else if (isCalm && !this.trial) this.change(Math.min(this.chosen + 1, this.most(now)), 'room');
     }
 
     /** When a larger set is due if nothing else happens; Infinity: never. */
     get wakeAt() {
         if (this.fixed !== null || this.calmSince === null || this.chosen >= this.limit || this.trial) return Infinity;
         return Math.max(this.calmSince + kCalmSeconds, this.restUntil);
+    }
+
+    /** A set that made frames slow is not tried again soon. */
+    most(now) {
+        return this.tooMuch && now < this.tooMuch.until ? Math.min(this.limit, this.tooMuch.i - 1) : this.limit;
     }
 
     isSlow(now) {
@@ -71,23 +79,25 @@ export class LevelChoice {
         this.frames = [];
         if (this.trial) {
             const helped = this.median < kHelps * this.trial.median;
-            if (!helped) {
+            if (helped) this.tooMuch = { i: this.trial.i, until: now + kFutileSeconds };
+            else {
                 this.futileUntil = now + kFutileSeconds;
                 this.change(this.trial.i, 'frames: a smaller set is no faster');
             }
             this.trial = null;
         } else if (this.median > kSlowFrame && this.chosen > 0 && now >= this.futileUntil) {
             const trial = { i: this.chosen, median: this.median };
-            this.lower(now, 'frames');
-            this.trial = trial;
+            if (this.lower(now, 'frames')) this.trial = trial;
         }
         return this.chosen === before;
     }
 
+    /** Returns whether it did: not while the last step has not taken effect, not below 0. */
     lower(now, reason) {
-        if (now < this.restUntil - kRestSeconds + kEffectSeconds) return;
+        if (this.chosen === 0 || now < this.restUntil - kRestSeconds + kEffectSeconds) return false;
         this.restUntil = now + kRestSeconds;
-        this.change(Math.max(0, this.chosen - 1), reason);
+        this.change(this.chosen - 1, reason);
+        return true;
     }
 
     change(i, reason) {

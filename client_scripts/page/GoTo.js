@@ -19,8 +19,8 @@ export class GoTo {
     wish({ east, north, heading }, seconds) {
         if (!this.goal) return null;
         const [x, y] = [this.goal[0] - east, this.goal[1] - north], left = Math.hypot(x, y);
-        this.waited = left < this.nearest - kNearerMetres ? 0 : this.waited + seconds;
-        this.nearest = Math.min(this.nearest, left);
+        if (left < this.nearest - kNearerMetres) Object.assign(this, { nearest: left, waited: 0 });
+        else this.waited += seconds;
         const error = Math.atan2(x, y) - heading, off = Math.atan2(Math.sin(error), Math.cos(error));
         const isTurning = Math.abs(off) > kWalkWithin;
         if (isTurning) this.waited = 0;
