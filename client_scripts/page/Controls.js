@@ -112,9 +112,11 @@ export class Controls {
     }
 }
 
-/** Letters walk wherever the focus is, but where one types or chooses; other keys belong to what has the focus. */
+/** Where one chooses, keys belong to the choice; a text that scrolls has the arrows, a button what presses it. */
 function isForElement({ target, code }) {
-    return target.closest('input, select, textarea') !== null || !/^Key[A-Z]$/.test(code);
+    if (target.closest('select, textarea') !== null) return true;
+    if (/^(Enter|NumpadEnter|Space|Tab)$/.test(code)) return true;
+    return target.matches('article') && /^(Arrow|Page|Home|End)/.test(code);
 }
 
 function clamp(value) {

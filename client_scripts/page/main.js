@@ -35,7 +35,7 @@ async function start() {
     visit.homePose = view.pose();
     if (place.pose) view.setPose({ ...visit.homePose, ...place.pose });
     const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') });
-    const parts = { view, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
+    const parts = { view, world, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
     const commands = commandsFor(parts);
     parts.controls = new Controls(byId('window'), byId('stick'), commands, spot => travel.walkTo(spot, byId('window'), byId('goal'), walker));
     parts.pad = new StepButtons(byId('pad'), { level: () => view.setPose({ ...view.pose(), pitch: 0 }) });

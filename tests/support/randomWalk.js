@@ -1,3 +1,4 @@
+import { pointInside } from '../../client_scripts/core/pointInside.js';
 import { seededRandom } from './random.js';
 
 /**
@@ -5,11 +6,12 @@ import { seededRandom } from './random.js';
  * gates and walks to and fro through them, steps that pass several sectors, jumps.
  *
  * Yields { point, kind: stand | step | slide | gate | jump }; every step but a jump stays on the ground.
- * `stepMm`: [least, most] of an ordinary step; every 50th is up to 4.9 m long. `jumps`: share of jumps.
+ * `stepMm`: [least, most] of an ordinary step. Shares: `jumps`, `gates` (a dozen steps at a gate), `long` (up to 4.9 m).
  */
-export function* randomWalk(sectors, oracle, {seed, steps, stepMm = [10, 1200], jumps = 1 / 2000}) {
+export function* randomWalk(
+    sectors, oracle, {seed, steps, stepMm = [10, 1200], jumps = 1 / 2000, gates = 0.0095, long = 0.02}) {
   const random = seededRandom(seed), ids = [...sectors.keys()];
-  const spot = () => inside(sectors.get(ids[Math.floor(random() * ids.length)]));
+  const spot = () => pointInside(sectors.get(ids[Math.floor(random() * ids.length)]).ground).map(Math.round);
   let at = spot(), heading = random() * 2 * Math.PI;
   yield {point: at, kind: 'jump'};
   for (let i = 1; i < steps;) {
@@ -18,14 +20,14 @@ export function* randomWalk(sectors, oracle, {seed, steps, stepMm = [10, 1200], 
       at = spot();
       ++i;
       yield {point: at, kind: 'jump'};
-    } else if (lot < 0.01) {
+    } else if (lot < jumps + gates) {
       for (const point of throughGate(sectors, oracle, at, random)) {
         ++i;
         yield {point: at = point, kind: 'gate'};
       }
     } else {
       if (lot < 0.05) heading += (random() - 0.5) * 3;
-      const length = lot > 0.98 ? 4900 * random() : stepMm[0] + random() * (stepMm[1] - stepMm[0]);
+      const length = lot > 1 - long ? 4900 * random() : stepMm[0] + random() * (stepMm[1] - stepMm[0]);
       const next = ahead(at, heading, length), slid = isStep(oracle, at, next) ? null : slide(oracle, at, heading, length);
       if (slid) heading = slid.heading;
       const point = slid ? slid.point : isStep(oracle, at, next) ? next : at;
@@ -64,14 +66,4 @@ function* throughGate(sectors, oracle, at, random) {
     if (!isStep(oracle, from, point) || Math.hypot(point[0] - from[0], point[1] - from[1]) > 4900) continue;
     yield from = point;
   }
-}
-
-/** A point of the ground: the middle of its ears' first, which need not be convex elsewhere. */
-function inside({ground: [ring]}) {
-  for (let i = 0; i < ring.length; ++i) {
-    const [a, b, c] = [ring[i], ring[(i + 1) % ring.length], ring[(i + 2) % ring.length]];
-    const isEar = turn(a, b, c) > 0 && ring.every(p => p === a || p === b || p === c || turn(a, b, p) < 0 || turn(b, c, p) < 0 || turn(c, a, p) < 0);
-    if (isEar) return [0, 1].map(k => Math.round((a[k] + b[k] + c[k]) / 3));
-  }
-  throw new Error('a ring without an ear is not simple, or runs clockwise');
 }
