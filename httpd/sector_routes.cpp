@@ -112,8 +112,7 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
       options.is_static = value == "1";
     } else if (name == "i") {
       if (value.size() != 1 || value[0] < '0' || value[0] > '0' + kMaxLevel)
-        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) +
-               ": rings of sectors.";
+        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) + ": rings of sectors.";
       options.level = value[0] - '0';
       options.loader_level = value;
     } else if (name == "test") {

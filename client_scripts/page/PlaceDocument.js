@@ -80,7 +80,9 @@ export class PlaceDocument {
     }
 
     viewsPart(viewpoints) {
-        return viewpoints.length ? this.part('Viewpoints', viewpoints.slice(0, kMostListed).map(view => this.button(view.name, () => this.goTo(view)))) : null;
+        const nearest = new Map(viewpoints.map(view => [view.name, view]).reverse());   // one of each name
+        const views = [...nearest.values()].reverse();
+        return views.length ? this.part('Viewpoints', views.map(view => this.button(view.name, () => this.goTo(view)))) : null;
     }
 
     part(title, items) {
@@ -113,7 +115,7 @@ export class PlaceDocument {
 function housesText(houses) {
     if (houses.length === 0) return '';
     const heights = houses.map(({ height }) => height).sort((a, b) => a - b);
-    return `${houses.length} ${houses.length === 1 ? 'house' : 'houses'}, ${Math.round(heights[heights.length >> 1])} m high`;
+    return `${houses.length === 1 ? 'one house' : `${houses.length} houses`} about ${Math.round(heights[heights.length >> 1])} m high`;
 }
 
 /** What is worth telling of a house; '' for the others. */

@@ -1,5 +1,5 @@
 import { SectorFinder } from '../core/SectorFinder.js';
-import { SectorLoader } from '../x3d/SectorLoader.js';
+import { SectorLoader } from '../core/SectorLoader.js';
 import { FetchedSectors } from './FetchedSectors.js';
 
 /** How much is asked for at a time, and how far around, by how fast the line is. */
@@ -9,7 +9,7 @@ export const kLines = {
     fast: { loadsInFlight: 6, limit: 3 },
 };
 
-/** Where the visitor is and what is there: the loader of core/ and x3d/, the files of the page. */
+/** Where the visitor is and what is there: the loader of core/, the files of the page. */
 export class Visit {
     /** `world`: of fetchRootWorld; `settings`: { level: null or i, line, test }. */
     constructor(stage, world, settings, complain) {

@@ -1,5 +1,5 @@
+import { SectorLoader } from '../core/SectorLoader.js';
 import { InlineSectors } from './InlineSectors.js';
-import { SectorLoader } from './SectorLoader.js';
 import { VrmlSectors } from './VrmlSectors.js';
 
 // The LOADER Script of the root world (client_scripts/README.md); its fields are in scope by name:

@@ -29,15 +29,19 @@ test('next goes to the nearest that was not visited, previous the way back, next
 test('a button goes on while it is held, and makes one step when it is tapped', () => {
     const handlers = {}, button = { dataset: { wish: 'forward 1' }, addEventListener: (type, handler) => { handlers[type] = handler; } };
     const pad = new StepButtons({ querySelectorAll: selector => (selector === '[data-wish]' ? [button] : []) }, {});
-    const wish = now => pad.addTo({ forward: 0, right: 0, turn: 0, look: [0, 0] }, 0.1, now).forward;
-    handlers.pointerdown({ pointerId: 1 });
-    assert.equal(wish(1e6), 1);
+    const wish = seconds => pad.addTo({ forward: 0, right: 0, turn: 0, look: [0, 0] }, seconds).forward;
+    const frames = seconds => { for (let count = 0; ; ++count) if (!wish(seconds)) return count; };
+    handlers.pointerdown({ pointerId: 1, timeStamp: 0 });
+    for (let i = 0; i < 100; ++i) assert.equal(wish(0.1), 1);
     handlers.pointerup();
-    assert.equal(wish(1e6), 0);
-    handlers.click();
-    const now = performance.now() / 1000;
-    assert.equal(wish(now), 1);
-    assert.equal(wish(now + 1), 0);
+    handlers.click({ detail: 1, timeStamp: 900 });
+    assert.equal(wish(0.1), 0, 'a long press is no tap besides');
+    handlers.pointerdown({ pointerId: 1, timeStamp: 1000 });
+    handlers.pointerup();
+    handlers.click({ detail: 1, timeStamp: 1100 });
+    assert.equal(frames(0.1), 4);
+    handlers.click({ detail: 0, timeStamp: 9000 });
+    assert.equal(frames(2), 2, 'on a slow machine, too');
 });
 
 test('settings: the address before what is kept, nonsense counts as nothing, who saves data has a slow line', () => {

@@ -1,5 +1,5 @@
-import { SectorPlanner } from '../core/SectorPlanner.js';
-import { idOf, levelOf } from '../core/sectorRecord.js';
+import { SectorPlanner } from './SectorPlanner.js';
+import { idOf, levelOf } from './sectorRecord.js';
 
 /**
  * The loop of paper 004 §5: watches the visitor, does what the planner says, hears what became of it.
