@@ -20,7 +20,8 @@ export class GateTracker {
 
     /** The visitor is in a sector (null: in none that is known), reported is `current` until he is off their gate. */
     reset(sectorId, current) {
-        Object.assign(this, { sector: sectorId, passed: (current?.gates ?? []).filter(gate => gate.to === sectorId).slice(0, 1) });
+        const between = (current?.gates ?? []).filter(gate => gate.to === sectorId);
+        Object.assign(this, { sector: sectorId, passed: between.slice(0, 1) });
     }
 
     /** The sector to report after a step, or null: gates alone cannot tell. */

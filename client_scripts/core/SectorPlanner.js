@@ -63,7 +63,8 @@ export class SectorPlanner {
     /** The file is shown; with a near one came its record, with a far one perhaps. Returns ids known for the first time. */
     arrived(stem, record) {
         const state = this.states.get(stem), level = levelOf(stem);
-        const fresh = level === 'near' ? this.learn(stem, record) : level === 'far' && record ? this.learnLinks(idOf(stem), record) : [];
+        const links = level === 'far' && record ? this.learnLinks(idOf(stem), record) : [];
+        const fresh = level === 'near' ? this.learn(stem, record) : links;
         if (state) Object.assign(state, { phase: 'live', failures: 0 });
         this.last.isDisturbed = true;
         return fresh;
@@ -163,8 +164,8 @@ export class SectorPlanner {
         const set = new Map(this.setAround(current));
         const addNear = sector => { set.set(sector.id, { ring: 1, level: 'near' }); };
         if (this.i === 0)
-            for (const { to } of current.gates ?? [])
-                if (this.sectors.has(to) && gateDistance(current, this.sectors.get(to), point) < kThresholdMm) addNear(this.sectors.get(to));
+            for (const sector of (current.gates ?? []).map(gate => this.sectors.get(gate.to)).filter(Boolean))
+                if (gateDistance(current, sector, point) < kThresholdMm) addNear(sector);
         if (current.ground && !hasInside(current, point))
             for (const sector of this.sectors.values()) if (!sector.ground && boxContains(sector.box, point)) addNear(sector);
         const { nearOnly } = this.options;

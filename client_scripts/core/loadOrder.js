@@ -25,8 +25,8 @@ export function urgencyOf(level) {
  */
 export function loadEntry(stem, { ring, level }, current, sector, visitor) {
     const ahead = aheadness(sector.box, visitor);
-    const cost = level === 'near' ? gateDistance(current, sector, visitor.point) / ahead : 1 / (sizeOnScreen(sector.box, visitor.point) * ahead);
-    return { stem, ring, level, urgency: kUrgency[level], cost };
+    const cost = level === 'near' ? gateDistance(current, sector, visitor.point) : 1 / sizeOnScreen(sector.box, visitor.point);
+    return { stem, ring, level, urgency: kUrgency[level], cost: cost / ahead };
 }
 
 /** mm from the visitor to the nearest gate that leads there, else to the sector's box; -1: he is in it. */

@@ -28,7 +28,8 @@ export class CityPlan {
 
     async fetchCell(i, j) {
         const [lat, lon] = this.degrees, width = kMetresPerDegree * Math.cos(lat * Math.PI / 180);
-        const box = [lon + i * kCell / width, lat + j * kCell / kMetresPerDegree, lon + (i + 1) * kCell / width, lat + (j + 1) * kCell / kMetresPerDegree];
+        const corner = (column, row) => [lon + column * kCell / width, lat + row * kCell / kMetresPerDegree];
+        const box = [...corner(i, j), ...corner(i + 1, j + 1)];
         for (const [name, read] of Object.entries(kCollections)) {
             const response = await this.request(`/collections/${name}/items?limit=10000&bbox=${box.map(v => v.toFixed(6))}`);
             if (!response.ok) throw new Error(`${name}: ${response.status}`);

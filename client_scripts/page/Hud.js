@@ -42,7 +42,8 @@ export class Hud {
 
     /** `share` in 0..1; 1 hides the bar. With `files` of `allFiles`, `bytes` of `allBytes`: in words, too. */
     showProgress({ share, files = 0, allFiles = 0, bytes = 0, allBytes = 0 }) {
-        const bar = this.at('progress'), percent = Math.round(100 * Math.min(1, share)), isDone = share >= 1 || (allFiles > 0 && files === allFiles);
+        const bar = this.at('progress'), percent = Math.round(100 * Math.min(1, share));
+        const isDone = share >= 1 || (allFiles > 0 && files === allFiles);
         bar.hidden = isDone;
         bar.firstElementChild.style.width = `${percent}%`;
         bar.setAttribute('aria-valuenow', String(percent));

@@ -42,7 +42,9 @@ export class MapView {
     show(pose, sectors, here) {
         const { clientWidth: width, clientHeight: height } = this.canvas, [east, north] = this.centre ?? [pose.east, pose.north];
         const files = sectors.filter(({ phase }) => phase === 'live').map(({ stem }) => stem);
-        const key = [width, height, this.zoom, this.seen, here?.id, this.plan.version, files.join(), ...[east, north, pose.east, pose.north].map(v => (v * this.scale).toFixed(1)), pose.heading.toFixed(2)].join(' ');
+        const pixels = [east, north, pose.east, pose.north].map(metres => (metres * this.scale).toFixed(1));
+        const seen = [width, height, this.zoom, this.seen, here?.id, this.plan.version, pose.heading.toFixed(2)];
+        const key = [...seen, ...pixels, ...files].join(' ');
         if (key === this.shown || !width) return;
         this.shown = key;
         this.plan.around(east, north, this.reach);
@@ -65,11 +67,13 @@ export class MapView {
 
     /** Plan metres -> CSS pixels of the canvas, and back. */
     pixel([east, north]) {
-        return [this.canvas.clientWidth / 2 + (east - this.middle[0]) * this.scale, this.canvas.clientHeight / 2 - (north - this.middle[1]) * this.scale];
+        const { clientWidth: width, clientHeight: height } = this.canvas, [x, y] = this.middle;
+        return [width / 2 + (east - x) * this.scale, height / 2 - (north - y) * this.scale];
     }
 
     placeAt([x, y]) {
-        return [this.middle[0] + (x - this.canvas.clientWidth / 2) / this.scale, this.middle[1] - (y - this.canvas.clientHeight / 2) / this.scale];
+        const { clientWidth: width, clientHeight: height } = this.canvas, [east, north] = this.middle;
+        return [east + (x - width / 2) / this.scale, north - (y - height / 2) / this.scale];
     }
 
     isInView({ box: [west, south, east, north] }) {

@@ -5,7 +5,8 @@ const kLead = {
 /** Words for objects' kinds, in groups. What is not here stands under the last. */
 const kGroups = {
     'To eat and drink': ['restaurant', 'cafe', 'bar', 'fast_food', 'pub', 'ice_cream', 'biergarten'],
-    'To see': ['artwork', 'attraction', 'memorial', 'monument', 'museum', 'statue', 'fountain', 'gallery', 'theatre', 'cinema', 'place_of_worship', 'viewpoint', 'arts_centre', 'library'],
+    'To see': ['artwork', 'attraction', 'memorial', 'monument', 'museum', 'statue', 'fountain', 'gallery', 'theatre', 'cinema',
+        'place_of_worship', 'viewpoint', 'arts_centre', 'library'],
     'To stay': ['hotel', 'hostel', 'guest_house'],
     'Under way': ['bus_stop', 'subway_entrance', 'station', 'taxi', 'tram_stop', 'bicycle_rental', 'parking', 'stop_position'],
     'Shops and services': [],
@@ -47,7 +48,8 @@ export class PlaceDocument {
         const houses = this.plan.housesOf(here.id);
         this.at('document-lead').textContent = [here.name ? kind : '', others.length ? `with ${others.join(', ')}` : '', housesText(houses)]
             .filter(Boolean).join(', ').replace(/^./, c => c.toUpperCase());
-        const parts = [...this.placesParts(this.details.get(here.id)?.places ?? []), this.housesPart(houses), this.waysPart(here), this.viewsPart(viewpoints)];
+        const places = this.placesParts(this.details.get(here.id)?.places ?? []);
+        const parts = [...places, this.housesPart(houses), this.waysPart(here), this.viewsPart(viewpoints)];
         this.at('document-parts').replaceChildren(...parts.filter(Boolean));
     }
 
@@ -57,7 +59,8 @@ export class PlaceDocument {
             const title = Object.keys(kGroups).find(group => kGroups[group].includes(kind)) ?? Object.keys(kGroups).at(-1);
             groups.get(title).add(`${name}${kind === 'shop' || kind === 'address' ? '' : ` · ${kind.replaceAll('_', ' ')}`}`);
         }
-        return [...groups].filter(([, names]) => names.size).map(([title, names]) => this.part(title, [...names].map(name => this.text(name))));
+        const told = [...groups].filter(([, names]) => names.size);
+        return told.map(([title, names]) => this.part(title, [...names].map(name => this.text(name))));
     }
 
     housesPart(houses) {
@@ -68,7 +71,8 @@ export class PlaceDocument {
     houseLine({ sourceId }, text) {
         if (!/^(node|way|relation)\/\d+$/.test(sourceId ?? '')) return this.text(text);
         const link = this.element('a', text);
-        Object.assign(link, { href: `https://www.openstreetmap.org/${sourceId}`, rel: 'noopener', target: '_blank', title: 'This house on the map it came from' });
+        const href = `https://www.openstreetmap.org/${sourceId}`, title = 'This house on the map it came from';
+        Object.assign(link, { href, title, rel: 'noopener', target: '_blank' });
         return link;
     }
 

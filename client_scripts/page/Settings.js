@@ -34,10 +34,10 @@ export class SettingsDialog {
 
     change(changed) {
         const level = this.at('set-level').value;
-        Object.assign(this.settings, { level: level === '' ? null : Number(level), line: this.at('set-line').value, test: this.at('set-test').value });
+        const line = this.at('set-line').value, test = this.at('set-test').value;
+        Object.assign(this.settings, { level: level === '' ? null : Number(level), line, test });
         try {
-            const { level: i, line, test } = this.settings;
-            localStorage.setItem(kKey, JSON.stringify({ level: i, line, test }));
+            localStorage.setItem(kKey, JSON.stringify({ level: this.settings.level, line, test }));
         } catch {
             // a browser that keeps nothing: it holds for this visit
         }

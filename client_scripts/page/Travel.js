@@ -20,7 +20,7 @@ export class Travel {
     }
 
     /** `spot`: [x, y] in CSS pixels of the window; the way ends where walls do. */
-    walkTo([x, y], surface, marker, walker) {
+    walkTo([x, y], surface, marker) {
         const { clientWidth: width, clientHeight: height } = surface;
         const goal = groundUnder(this.view.pose(), [2 * x / width - 1, 1 - 2 * y / height], width / height, this.view.fieldOfView());
         if (!goal) return;
@@ -31,7 +31,9 @@ export class Travel {
     }
 
     learnViewpoints() {
-        for (const { stem, scene } of this.visit.files.live('near')) this.viewpoints.add(stem, this.view.viewpointsOf(scene, this.visit.planner.sectors.get(stem).origin));
+        const { files, planner } = this.visit;
+        for (const { stem, scene } of files.live('near'))
+            this.viewpoints.add(stem, this.view.viewpointsOf(scene, planner.sectors.get(stem).origin));
     }
 
     next() {

@@ -37,7 +37,8 @@ async function start() {
     const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') });
     const parts = { view, world, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
     const commands = commandsFor(parts);
-    parts.controls = new Controls(byId('window'), byId('stick'), commands, spot => travel.walkTo(spot, byId('window'), byId('goal'), walker));
+    const tap = spot => travel.walkTo(spot, byId('window'), byId('goal'));
+    parts.controls = new Controls(byId('window'), byId('stick'), commands, tap);
     parts.pad = new StepButtons(byId('pad'), { level: () => view.setPose({ ...view.pose(), pitch: 0 }) });
     connectButtons(parts, commands);
     if (innerWidth >= kWideWindow) hud.toggleSide(true);
@@ -54,7 +55,8 @@ async function start() {
 
 function sideParts(world, visit, travel) {
     const plan = new CityPlan(world.degrees);
-    const paper = new PlaceDocument({ plan, base: world.base, go: id => travel.toSector(id), goTo: viewpoint => travel.toViewpoint(viewpoint) });
+    const go = id => travel.toSector(id), goTo = viewpoint => travel.toViewpoint(viewpoint);
+    const paper = new PlaceDocument({ plan, base: world.base, go, goTo });
     paper.showRights(world.rights);
     const map = new MapView(byId('map'), plan, (east, north) => {
         const sector = plan.sectorAt(east, north);

@@ -33,7 +33,8 @@ function findFaults({ least, leastLarge }) {
         if (node.matches('li') && !node.parentElement.matches('ul, ol')) faults.push(`${told(node)} is in no list`);
         if (node.matches('dl > :not(div, dt, dd), ul > :not(li)')) faults.push(`${told(node)} does not belong into its list`);
         if (isShown(node) && node.matches('button, input, select') && !node.disabled) {
-            const { width, height } = (node.labels?.[0] ?? node).getBoundingClientRect();
+            const sizes = [node, ...(node.labels ?? [])].map(target => target.getBoundingClientRect());
+            const { width, height } = sizes.reduce((a, b) => (Math.min(a.width, a.height) > Math.min(b.width, b.height) ? a : b));
             if (Math.min(width, height) < 24) faults.push(`${told(node)} is only ${Math.round(width)} x ${Math.round(height)} pixels large`);
         }
     }
