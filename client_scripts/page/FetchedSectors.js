@@ -35,12 +35,12 @@ export class FetchedSectors {
         file.bytes = Number(response.headers.get('Content-Length')) || null;
         const text = await response.text();
         if (abort.signal.aborted) return;
-        this.count(file, file.bytes ?? text.length);
+        this.count(file, file.bytes ?? text.length, secondsOnLine(response.url) ?? this.clock() - file.askedAt);
         this.ready.push({ file, text, abort });
     }
 
-    count(file, bytes) {
-        const level = levelOf(file.stem), seconds = Math.max(0.001, this.clock() - file.askedAt), speed = bytes / seconds;
+    count(file, bytes, seconds) {
+        const level = levelOf(file.stem), speed = bytes / Math.max(0.001, seconds);
         file.bytes = bytes;
         this.loaded.bytes += bytes;
         ++this.loaded.files;
@@ -119,4 +119,10 @@ export class FetchedSectors {
             bytes: sum(there), files: there.length, allFiles: all.length + missing.length,
             allBytes: sum(all) + missing.reduce((bytes, stem) => bytes + this.means[levelOf(stem)], 0) };
     }
+}
+
+/** How long the request took, without what the page did meanwhile; undefined: the browser does not tell. */
+function secondsOnLine(url) {
+    const entry = url ? performance.getEntriesByName(url, 'resource').at(-1) : null;
+    return entry ? entry.duration / 1000 : undefined;
 }
