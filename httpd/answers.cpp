@@ -12,7 +12,7 @@
 namespace vicus {
 
 const char* const kContentSecurityPolicy =
-    "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self' data: blob:; "
+    "default-src 'none'; script-src 'self'; connect-src 'self' data: blob:; "
     "img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; font-src 'self' data:; media-src 'self' data: "
     "blob:; "
     "worker-src 'self' blob:; base-uri 'none'; form-action 'self'";

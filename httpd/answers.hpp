@@ -29,8 +29,8 @@ HttpResponse not_acceptable(const std::string& what_there_is);
 /// Fields every answer bears: any page may read it, no browser may take it for another type.
 void add_common_fields(HttpResponse& response);
 
-/// For / and whatever else is a document: scripts from here only; X3D Script nodes need eval, X_ITE's tangents WASM
-/// (research/X3D_CLIENT.md §1).
+/// For / and whatever else is a document: scripts from here only, and none from text. The page loads sectors by its own
+/// module; an X3D Script node would need 'unsafe-eval' (client_scripts/README.md).
 extern const char* const kContentSecurityPolicy;
 
 }  // namespace vicus

@@ -112,9 +112,13 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
       options.is_static = value == "1";
     } else if (name == "i") {
       if (value.size() != 1 || value[0] < '0' || value[0] > '0' + kMaxLevel)
-        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) +
-               ": rings of sectors (with static=1).";
+        return "i must be a whole number from 0 to " + std::to_string(kMaxLevel) + ": rings of sectors.";
       options.level = value[0] - '0';
+      options.loader_level = value;
+    } else if (name == "test") {
+      if (value != "polygon" && value != "box" && value != "gate")
+        return "test must be polygon, box or gate: how the visitor's sector is found.";
+      options.loader_test = value;
     }
   }
   return std::nullopt;

@@ -94,7 +94,8 @@ void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) 
 }  // namespace
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
-  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}};
+  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {},
+                      {}};
   std::set<std::string> behind;
   for (const auto& g : record.gates)
     if (!g.to_sector_id.empty()) behind.insert(g.to_sector_id);
@@ -114,13 +115,15 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
   record.viewpoints = source.viewpoints_of(sector.id);
   for (const auto& object : source.objects_of(sector.id))
     if (const double radius_m = body_radius_m(object); radius_m > 0) record.bodies.push_back({object.at, radius_m});
+  for (const auto& object : source.objects_of(sector.id))
+    if (!object.name.empty()) record.places.push_back({object.kind, object.name, object.at});
   return record;
 }
 
 std::string record_json(const SectorRecord& record) {
   const Sector& s = record.sector;
   Json names = Json::array(), ground = Json::array(), gates = Json::array(), neighbours = Json::array(),
-       viewpoints = Json::array(), bodies = Json::array(), reasons = Json::object();
+       viewpoints = Json::array(), bodies = Json::array(), places = Json::array(), reasons = Json::object();
   for (const auto& name : s.names) names.push_back(clean_text(name));
   ground.push_back(json_of(s.ground.outer));
   for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
@@ -130,6 +133,8 @@ std::string record_json(const SectorRecord& record) {
   for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
   for (const auto& [id, reason] : record.reasons) reasons[id] = name_of(reason);
   for (const auto& b : record.bodies) bodies.push_back(values_of(b));
+  for (const auto& p : record.places)
+    places.push_back({{"kind", clean_text(p.kind)}, {"name", clean_text(p.name)}, {"at", values_of(p.at)}});
   const Json json = {{"id", s.id},
                      {"kind", name_of(s.kind)},
                      {"name", clean_text(s.name)},
@@ -145,8 +150,20 @@ std::string record_json(const SectorRecord& record) {
                      {"over_roofs", record.over_roofs},
                      {"unresolved", record.unresolved},
                      {"visible_reasons", reasons},
-                     {"viewpoints", viewpoints}};
+                     {"viewpoints", viewpoints},
+                     {"places", places}};
   return json.dump();
+}
+
+Node links_node(const SectorRecord& record) {
+  const Sector& s = record.sector;
+  Node node("MetadataSet", "RECORD");
+  node.set("name", "sector").set("reference", "vicus 1");
+  node.add("value", texts("id", {s.id}));
+  node.add("value", numbers("origin", values_of(s.origin))).add("value", numbers("box", values_of(record.box)));
+  if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
+  if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
+  return node;
 }
 
 Node record_node(const SectorRecord& record) {
@@ -173,6 +190,10 @@ Node record_node(const SectorRecord& record) {
   if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));
+  std::vector<std::string> important;
+  for (const auto& [id, reason] : record.reasons)
+    if (reason == VisibleReason::important) important.push_back(id);
+  if (!important.empty()) node.add("value", texts("important", std::move(important)));
   return node;
 }
 

@@ -24,6 +24,12 @@ struct Body {
   double radius_m = 0;
 };
 
+/// What a page tells of a place: a shop, a sight.
+struct PlaceName {
+  std::string kind, name;
+  PlanPoint at;
+};
+
 struct SectorRecord {
   Sector sector;
   PlanBox box;
@@ -34,7 +40,8 @@ struct SectorRecord {
   std::map<std::string, VisibleReason> reasons;  ///< of each in `visible`
   std::vector<std::string> over_roofs, unresolved;  ///< of `visible`: seen only above roofs; of these: not proven
   std::vector<Viewpoint> viewpoints;
-  std::vector<Body> bodies;  ///< of the sector's objects, in their order
+  std::vector<Body> bodies;       ///< of the sector's objects, in their order
+  std::vector<PlaceName> places;  ///< objects that bear a name, in their order; in ID.json alone
 };
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes);
@@ -43,5 +50,8 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
 std::string record_json(const SectorRecord& record);
 /// MetadataSet DEF="RECORD".
 Node record_node(const SectorRecord& record);
+/// The same with no more than what leads further (id, place, neighbours, which of them are seen over roofs alone): for
+/// far files, so that a visitor's sets L_2, L_3 ... grow without a request for each record.
+Node links_node(const SectorRecord& record);
 
 }  // namespace vicus

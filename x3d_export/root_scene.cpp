@@ -27,6 +27,11 @@ constexpr double kTallest_m = 16;  // at least the backdrops at the city's ends
 /// A house without a facade to walk along is sent by a sector near by, rarely so far from it.
 constexpr double kReach_m = 150;
 
+/// Browsers within web pages run a Script node's text by eval; the page of `vicus serve` does without the Script.
+constexpr const char* kNeedsEval =
+    "This world has a Script node: a web page that shows it needs script-src 'unsafe-eval' in its "
+    "Content-Security-Policy. The page at / shows the same city without.";
+
 using Ids = std::set<std::string>;
 
 /// Sectors behind the gates of `id`.
@@ -189,12 +194,15 @@ Node loader_node(const RootOptions& options, const std::vector<InitialSector>& s
                       {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
                       field("start", FieldType::sf_string, sectors.front().sector.id),
                       field("base", FieldType::sf_string, options.base),
+                      field("level", FieldType::sf_string, options.loader_level),
+                      field("sector_test", FieldType::sf_string, options.loader_test),
                       field("ids", FieldType::mf_string, ids),
                       node_field("inlines", FieldType::mf_node, inlines),
                       node_field("places", FieldType::mf_node, places),
                       node_field("world", FieldType::sf_node, {use_of(world)}),
                       field("origins", FieldType::mf_vec3d, origins),
-                      {"sector_changed", FieldType::sf_string, Access::output_only, std::string(), {}}};
+                      {"sector_changed", FieldType::sf_string, Access::output_only, std::string(), {}},
+                      {"level_changed", FieldType::sf_string, Access::output_only, std::string(), {}}};
   return script;
 }
 
@@ -229,6 +237,9 @@ std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& o
   scene.metas.emplace_back("description", name + ": walk through it street by street");
   if (!source.meta("name").empty()) scene.metas.emplace_back("subject", source.meta("name"));
   for (auto& meta : rights_of(source)) scene.metas.push_back(std::move(meta));
+  if (const auto lat = source.meta("origin_lat"), lon = source.meta("origin_lon"); !lat.empty() && !lon.empty())
+    scene.metas.emplace_back("origin", lat + " " + lon);
+  if (!options.is_static) scene.metas.emplace_back("warning", kNeedsEval);
   Node info("WorldInfo");
   std::vector<std::string> lines;
   for (const auto& [key, text] : rights_of(source)) lines.push_back(text);

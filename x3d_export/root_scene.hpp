@@ -13,8 +13,10 @@ inline constexpr int kEverySector = -1;
 struct RootOptions {
   std::string start;  ///< sector id; empty: start_sector()
   SceneFormat format = SceneFormat::x3d;
-  bool is_static = false;  ///< no Script: `level` rings of sectors, all loaded
-  int level = 1;           ///< static only: i of L_i (paper 004 §5.1), or kEverySector
+  bool is_static = false;               ///< no Script: `level` rings of sectors, all loaded
+  int level = 1;                        ///< static only: i of L_i (paper 004 §5.1), or kEverySector
+  std::string loader_level;             ///< i of L_i for the LOADER; empty: it chooses by what it measures
+  std::string loader_test = "polygon";  ///< how it finds the visitor's sector: polygon, box or gate (§5.2)
   std::string base = "sectors/";
   std::string loader_url = "client/loader.js";
 };

@@ -54,6 +54,8 @@ void add_content(Scene& scene, const SectorParts& parts, std::vector<Node> conte
     } else {
       info.add("metadata", record_node(record));
     }
+  } else if (parts.detail == Detail::far) {
+    info.add("metadata", links_node(sector_record(source_of(parts.index), parts.sector, shapes)));
   }
   scene.nodes.push_back(std::move(info));
   if (parts.detail == Detail::near)

@@ -1,59 +1,97 @@
-import { boxContains, boxDistance, distance, distanceToEdges, isInside, latticePoint, nearestOnSegment } from './planGeometry.js';
-import { idOf, levelOf, levelsAround, sectorFromNeighbour, sectorFromRecord, stemOf } from './sectorRecord.js';
+import { LevelChoice } from './LevelChoice.js';
+import { SectorFinder, hasInside } from './SectorFinder.js';
+import { compareLoads, gateDistance, loadEntry, urgencyOf } from './loadOrder.js';
+import { boxContains, distance, latticePoint } from './planGeometry.js';
+import { idOf, levelOf, sectorFromLinks, sectorFromNeighbour, sectorFromRecord, stemOf } from './sectorRecord.js';
+import { sectorsWithin } from './sectorSets.js';
 
-/** m beyond the current ground at which a neighbour becomes current: a step back at a gate changes nothing. */
-const kGateHysteresisMm = 500;
 /** s that a sector left behind stays as it was: a walker who turns round finds it there. */
 const kKeepSeconds = 10;
+/** s for those marked important: visitors come back to them (paper 004 §4.1.7). */
+const kKeepImportantSeconds = 300;
 /** Live Shape nodes, all levels of detail: beyond it X_ITE's own bookkeeping per node costs the frame. */
 const kShapeCap = 1500;
 /** A far or tall file is one merged Shape. */
 const kMergedShapes = 1;
 const kLoadsInFlight = 3;
 const kRetrySeconds = [1, 2, 4, 8, 16, 30];
-const kUrgency = { near: 0, far: 1, tall: 2 };
+/** mm from a gate at which L_0 takes in what lies behind: a gate to nothing is shut. */
+const kThresholdMm = 12000;
+/** s between two frames, above which the browser slept. */
+const kLongestFrame = 1;
 
 /**
  * Says which sectors should be there, and which file of each: paper 004 §5.1 and §5.2, without knowing who shows them.
  *
- * The current sector and its gate neighbours are wanted near, what else is visible far or tall (levelsAround). Files go
- * by their stems. A sector that changes its level keeps the old file until the new one is there.
+ * The current sector and its gate neighbours are wanted near, what else is in L_i far or tall (sectorsWithin). Files go
+ * by their stems. A sector that changes its level keeps the old file until the new one is there. What is on its way and
+ * no longer wanted is given up at once.
  *
  * The owner calls plan() once per frame and does what it returns; it reports arrived(), failed().
  * Frame   positions and records in plan metres, [east, north]; times in seconds, never decreasing.
  * Needs   every stem given to arrived() or failed() was returned in `load` before.
- * Cost    the current sector's edges and its neighbours'; all known sectors' only after a jump.
- * Differs the current sector's test is point in polygon (§5.2.1), exact on the lattice, not a scaled box: a polygon's
- *         own edge with a margin beyond it serves as the scaled gate.
+ * Cost    the set only when the sector, i or what is known changes; its order when something is missing.
+ * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate.
  */
 export class SectorPlanner {
-    /** `nearOnly`: the world has no far and tall files, near ones stand for them. */
-    constructor(start, { keepSeconds = kKeepSeconds, shapeCap = kShapeCap, loadsInFlight = kLoadsInFlight, nearOnly = false } = {}) {
+    /**
+     * `nearOnly`: the world has no far and tall files, near ones stand for them, and i is 1 at most. `level`: i to start
+     * with, `limit`: the largest, `fixedLevel`: no choice; `test`: of SectorFinder.
+     */
+    constructor(start, { keepSeconds = kKeepSeconds, shapeCap = kShapeCap, loadsInFlight = kLoadsInFlight, nearOnly = false,
+        level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
         this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly };
-        this.sectors = new Map();   // id -> sector, ground null while only a neighbour told of it
-        this.states = new Map();    // stem -> { phase: loading | live | failed, wantedAt, failures, retryAt }
+        this.sectors = new Map();   // id -> sector, ground null while only others have told of it
+        this.states = new Map();    // stem -> { phase: loading | live | failed, askedAt, wantedAt, failures, retryAt }
         this.current = start;
+        this.finder = new SectorFinder(test, { marginMm });
+        this.choice = new LevelChoice({ start: level, limit: nearOnly ? Math.min(limit, 1) : limit, fixed: fixedLevel });
+        this.important = new Set();
+        this.known = 0;             // grows with what is known
+        this.last = { point: null, now: 0, isDisturbed: true, walk: null };
+    }
+
+    get i() {
+        return this.options.nearOnly ? Math.min(this.choice.i, 1) : this.choice.i;
     }
 
     /** A place known from a neighbour's record or from the root world. Never forgets a ground. */
     addNeighbour(record) {
-        if (!this.sectors.has(record.id)) this.sectors.set(record.id, sectorFromNeighbour(record));
+        this.addKnown([sectorFromNeighbour(record)]);
     }
 
-    /** The file is shown; with a near one came its record. Returns the ids it made known for the first time. */
+    /** The file is shown; with a near one came its record, with a far one perhaps. Returns ids known for the first time. */
     arrived(stem, record) {
-        const state = this.states.get(stem);
-        const fresh = levelOf(stem) === 'near' ? this.learn(stem, record) : [];
+        const state = this.states.get(stem), level = levelOf(stem);
+        const links = level === 'far' && record ? this.learnLinks(idOf(stem), record) : [];
+        const fresh = level === 'near' ? this.learn(stem, record) : links;
         if (state) Object.assign(state, { phase: 'live', failures: 0 });
+        this.last.isDisturbed = true;
         return fresh;
     }
 
+    /** A whole record, with a near file or without. */
     learn(id, record) {
-        const sector = sectorFromRecord(record);
+        return this.keep(id, sectorFromRecord(record));
+    }
+
+    learnLinks(id, record) {
+        const sector = sectorFromLinks(record);
+        return this.sectors.get(id)?.ground ? this.addKnown(sector.neighbours) : this.keep(id, sector);
+    }
+
+    keep(id, sector) {
         if (sector.id !== id) throw new Error(`asked for sector ${id}, the file's record says ${sector.id}`);
         this.sectors.set(id, sector);
-        const fresh = sector.neighbours.filter(neighbour => !this.sectors.has(neighbour.id));
+        for (const other of sector.important ?? []) this.important.add(other);
+        ++this.known;
+        return this.addKnown(sector.neighbours);
+    }
+
+    addKnown(neighbours) {
+        const fresh = neighbours.filter(neighbour => !this.sectors.has(neighbour.id));
         for (const neighbour of fresh) this.sectors.set(neighbour.id, neighbour);
+        if (fresh.length) ++this.known;
         return fresh.map(neighbour => neighbour.id);
     }
 
@@ -65,80 +103,94 @@ export class SectorPlanner {
     }
 
     /**
-     * -> { current, changed, load: at most one stem, unload: stems, wakeAt }. `position` may be null: not known yet.
+     * -> { current, changed, level, load: at most one stem, unload: stems, wakeAt }. `position` may be null: not known
+     * yet. `heading`: radians clockwise from north; `isJump`: the visitor was put there; `waitSeconds`, `memoryShare`: of
+     * LevelChoice, where the owner knows better.
      * Nothing changes before `wakeAt` (s, Infinity: never) unless the visitor moves or a file arrives or fails.
      */
-    plan(position, now) {
-        const before = this.current;
-        const point = position && latticePoint(position);
-        if (point) this.current = this.currentSector(point);
+    plan(position, now, { heading = null, isJump = false, waitSeconds = 0, memoryShare = 0 } = {}) {
+        const before = this.current, point = position && latticePoint(position), { i } = this;
+        if (isJump) this.finder.jump();
+        if (point) this.current = this.finder.find(this.sectors, this.current, point);
+        this.observe(point, now);
         const wanted = this.wanted(point);
-        for (const stem of wanted) if (this.states.has(stem)) this.states.get(stem).wantedAt = now;
-        const unload = this.unloads(wanted, now);
-        const load = this.nextLoad(wanted, now), changed = this.current !== before;
-        return { current: this.current, changed, load, unload, wakeAt: load.length ? now : this.wakeTime(wanted, now) };
+        for (const [stem, { wantedAt }] of this.states) if (wanted.has(stem) && wantedAt < now) this.states.get(stem).wantedAt = now;
+        const unload = this.unloads(wanted, now), load = this.nextLoad(wanted, now, point, heading);
+        this.chooseLevel(wanted, now, waitSeconds, memoryShare);
+        const wakeAt = load.length || this.i !== i ? now : Math.min(this.wakeTime(wanted, now), this.choice.wakeAt);
+        return { current: this.current, changed: this.current !== before, level: this.i, load, unload, wakeAt };
+    }
+
+    /** Time per frame counts while the visitor moves and nothing is put in; the way he walks is where he went last. */
+    observe(point, now) {
+        const { last } = this, moved = point && last.point ? distance(point, last.point) : 0, seconds = now - last.now;
+        if (moved > 0 && last.isMoving && !last.isDisturbed && seconds < kLongestFrame) this.choice.addFrame(seconds);
+        const walk = moved > 0 ? [(point[0] - last.point[0]) / moved, (point[1] - last.point[1]) / moved] : last.walk;
+        this.last = { point: point ?? last.point, now, isMoving: moved > 0, isDisturbed: false, walk };
+    }
+
+    chooseLevel(wanted, now, waitSeconds, memoryShare) {
+        const current = this.sectors.get(this.current), before = this.i;
+        if (!current?.ground) return;
+        let oldest = now, isSettled = true;
+        for (const stem of wanted.keys()) {
+            const state = this.states.get(stem);
+            if (state?.phase === 'loading') oldest = Math.min(oldest, state.askedAt);
+            if (!state || state.phase === 'loading') isSettled &&= this.isServedFiner(stem, now);
+        }
+        const shapes = this.liveShapes(), more = sectorsWithin(this.sectors, current, before + 1).size - wanted.size;
+        this.choice.judge({ now, isSettled, waitSeconds: Math.max(waitSeconds, now - oldest), shapes, memoryShare,
+            nextShapes: shapes + Math.max(0, more) * kMergedShapes, shapeCap: this.options.shapeCap });
     }
 
     wakeTime(wanted, now) {
         let earliest = Infinity;
         for (const [stem, state] of this.states) {
-            if (!wanted.includes(stem)) earliest = Math.min(earliest, this.isRecent(state, now) ? this.keptUntil(state) : Infinity);
+            if (!wanted.has(stem)) earliest = Math.min(earliest, this.isRecent(stem, now) ? this.keptUntil(stem) : Infinity);
             else if (state.phase === 'failed') earliest = Math.min(earliest, state.retryAt);
         }
         return earliest;
     }
 
-    /** Paper 004 §5.2.3: the current sector and its neighbours are tested; everything known only after a jump. */
-    currentSector(point) {
-        const current = this.sectors.get(this.current);
-        if (current?.ground) {
-            if (hasInside(current, point)) return current.id;
-            const around = [...levelsAround(current).keys()].map(id => this.sectors.get(id));
-            const next = around.find(sector => sector && hasInside(sector, point));
-            if (next) return distanceToEdges(current.ground, point) > kGateHysteresisMm ? next.id : current.id;
-        }
-        for (const sector of this.sectors.values()) if (hasInside(sector, point)) return sector.id;
-        return this.current;
-    }
-
     /**
-     * Stems that should be there, the most urgent first. Off every known ground: what might hold the visitor, too.
-     * Before the visitor's first position only his start: X_ITE binds a world's viewpoint, and so begins to show it,
-     * once nothing of it is on its way.
+     * What should be there: stem -> { ring, level }. Off every known ground: what might hold the visitor, too. Before
+     * the visitor's first position only his start: X_ITE binds a world's viewpoint, and so begins to show it, once
+     * nothing of it is on its way.
      */
     wanted(point) {
         const current = this.sectors.get(this.current);
-        if (!current) return [];
-        if (!point) return [stemOf(current.id, 'near')];
-        const levels = new Map([...levelsAround(current)].filter(([id]) => this.sectors.has(id)));
-        if (this.options.nearOnly) for (const id of levels.keys()) levels.set(id, 'near');
+        if (!current) return new Map();
+        if (!point) return new Map([[stemOf(current.id, 'near'), { ring: 0, level: 'near' }]]);
+        const set = new Map(this.setAround(current));
+        const addNear = sector => { set.set(sector.id, { ring: 1, level: 'near' }); };
+        if (this.i === 0)
+            for (const sector of (current.gates ?? []).map(gate => this.sectors.get(gate.to)).filter(Boolean))
+                if (gateDistance(current, sector, point) < kThresholdMm) addNear(sector);
         if (current.ground && !hasInside(current, point))
-            for (const sector of this.sectors.values())
-                if (!sector.ground && boxContains(sector.box, point)) levels.set(sector.id, 'near');
-        const ranked = [...levels].map(([id, level]) => [kUrgency[level], this.gap(current, id, point), stemOf(id, level)]);
-        return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1] || (a[2] < b[2] ? -1 : 1)).map(([, , stem]) => stem);
+            for (const sector of this.sectors.values()) if (!sector.ground && boxContains(sector.box, point)) addNear(sector);
+        const { nearOnly } = this.options;
+        return new Map([...set].map(([id, { ring, level }]) => [stemOf(id, nearOnly ? 'near' : level), { ring, level }]));
     }
 
-    /** How far the visitor is from a sector: from its nearest gate where he may pass into it, else from its box. */
-    gap(current, id, point) {
-        if (id === current.id) return -1;
-        const gates = (current.gates ?? []).filter(gate => gate.to === id);
-        if (gates.length === 0) return boxDistance(this.sectors.get(id).box, point);
-        return Math.min(...gates.map(({ line }) => distanceToLine(line, point)));
+    setAround(current) {
+        const key = `${current.id} ${this.i} ${this.known}`;
+        if (this.set?.key !== key) this.set = { key, sectors: sectorsWithin(this.sectors, current, this.i) };
+        return this.set.sectors;
     }
 
     /**
-     * What another file of the same sector has replaced; what was left longer ago than keepSeconds; over the cap, what
-     * was left the longest ago at once.
+     * What is on its way for nothing; what another file of the same sector has replaced; what was left longer ago than
+     * it is kept; over the cap, what was left the longest ago at once.
      */
     unloads(wanted, now) {
-        const stemFor = new Map(wanted.map(stem => [idOf(stem), stem]));
-        const left = [...this.states].filter(([stem]) => !wanted.includes(stem)).sort((a, b) => a[1].wantedAt - b[1].wantedAt);
+        const stemFor = new Map([...wanted.keys()].map(stem => [idOf(stem), stem]));
+        const left = [...this.states].filter(([stem]) => !wanted.has(stem)).sort((a, b) => a[1].wantedAt - b[1].wantedAt);
         let excess = this.excessShapes(wanted);
         const unload = [];
         for (const [stem, state] of left) {
             const instead = stemFor.get(idOf(stem));
-            const isKept = instead ? this.standsIn(state, instead) : this.isRecent(state, now) && excess <= 0;
+            const isKept = state.phase === 'live'
+                && (instead ? this.states.get(instead)?.phase !== 'live' : this.isRecent(stem, now) && excess <= 0);
             if (isKept) continue;
             excess -= this.shapesOf(stem);
             this.states.delete(stem);
@@ -147,40 +199,49 @@ export class SectorPlanner {
         return unload;
     }
 
-    keptUntil(state) {
-        return state.wantedAt + this.options.keepSeconds;
+    keptUntil(stem) {
+        const seconds = this.important.has(idOf(stem)) ? kKeepImportantSeconds : this.options.keepSeconds;
+        return this.states.get(stem).wantedAt + Math.max(seconds, this.options.keepSeconds);
     }
 
-    isRecent(state, now) {
-        return now < this.keptUntil(state);
+    isRecent(stem, now) {
+        return now < this.keptUntil(stem);
     }
 
-    standsIn(state, instead) {
-        return state.phase === 'live' && this.states.get(instead)?.phase !== 'live';
-    }
-
-    /** Is a finer file there that was wanted a moment ago? Then a visitor who turns round finds it still there. */
+    /** A finer file that was needed a moment ago serves for as long as that is kept anyway. */
     isServedFiner(stem, now) {
-        return Object.keys(kUrgency).some(level => {
-            const state = kUrgency[level] < kUrgency[levelOf(stem)] && this.states.get(stemOf(idOf(stem), level));
-            return state && state.phase === 'live' && this.isRecent(state, now);
+        return ['near', 'far'].some(level => {
+            const finer = stemOf(idOf(stem), level);
+            return urgencyOf(level) < urgencyOf(levelOf(stem)) && this.states.get(finer)?.phase === 'live' && this.isRecent(finer, now);
         });
     }
 
-    nextLoad(wanted, now) {
-        const inFlight = [...this.states.values()].filter(state => state.phase === 'loading').length;
+    nextLoad(wanted, now, point, heading) {
+        let inFlight = 0;
+        for (const { phase } of this.states.values()) if (phase === 'loading') ++inFlight;
         if (inFlight >= this.options.loadsInFlight) return [];
         const isFull = this.excessShapes(wanted) > 0;
-        for (const stem of wanted) {
+        for (const { stem } of this.missing(wanted, now, point, heading)) {
             const state = this.states.get(stem);
-            if (state && (state.phase !== 'failed' || now < state.retryAt)) continue;
             if (!state && !isFull && this.isServedFiner(stem, now)) continue;
             const fits = this.liveShapes() + this.shapesOf(stem) <= this.options.shapeCap;
             if (!state && !fits && stem !== this.current && !this.isCoarser(stem)) return [];
-            this.states.set(stem, { phase: 'loading', wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
+            this.states.set(stem, { phase: 'loading', askedAt: now, wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
             return [stem];
         }
         return [];
+    }
+
+    /** What is wanted and neither there nor on its way, the most urgent first. */
+    missing(wanted, now, point, heading) {
+        const missing = [...wanted].filter(([stem]) => {
+            const state = this.states.get(stem);
+            return !state || (state.phase === 'failed' && now >= state.retryAt);
+        });
+        if (!point) return missing.map(([stem]) => ({ stem }));
+        const current = this.sectors.get(this.current), view = heading === null ? null : [Math.sin(heading), Math.cos(heading)];
+        const visitor = { point, view, walk: this.last.walk };
+        return missing.map(([stem, place]) => loadEntry(stem, place, current, this.sectors.get(idOf(stem)), visitor)).sort(compareLoads);
     }
 
     /** Would the file replace one with more Shapes? */
@@ -201,18 +262,8 @@ export class SectorPlanner {
 
     /** Shapes above the cap once all that is wanted is there beside what is there now. */
     excessShapes(wanted) {
-        const missing = wanted.filter(stem => !this.states.has(stem)).reduce((sum, stem) => sum + this.shapesOf(stem), 0);
+        let missing = 0;
+        for (const stem of wanted.keys()) if (!this.states.has(stem)) missing += this.shapesOf(stem);
         return this.liveShapes() + missing - this.options.shapeCap;
     }
-}
-
-function hasInside(sector, point) {
-    return sector.ground !== null && boxContains(sector.box, point) && isInside(sector.ground, point);
-}
-
-function distanceToLine(line, point) {
-    let least = Infinity;
-    for (let i = 1; i < line.length; ++i)
-        least = Math.min(least, distance(nearestOnSegment(line[i - 1], line[i], point), point));
-    return least;
 }

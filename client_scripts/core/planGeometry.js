@@ -57,6 +57,14 @@ export function distance(a, b) {
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+/** Distance from a point to an open line of points. */
+export function distanceToLine(line, point) {
+    let least = Infinity;
+    for (let i = 1; i < line.length; ++i)
+        least = Math.min(least, distance(nearestOnSegment(line[i - 1], line[i], point), point));
+    return least;
+}
+
 /** Distance from a point to a polygon's edges, inside or outside. */
 export function distanceToEdges(rings, point) {
     let least = Infinity;

@@ -14,7 +14,7 @@ export function recordFromMetadata(set) {
     return record;
 }
 
-const kLists = ['names', 'visible', 'over_roofs', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies',
+const kLists = ['names', 'visible', 'over_roofs', 'important', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies',
     'neighbour_ids', 'neighbour_origins', 'neighbour_boxes'];
 
 function isSet(item) {

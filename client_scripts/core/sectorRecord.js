@@ -1,6 +1,7 @@
 import { latticePoint, millimetres } from './planGeometry.js';
 
-const kShapesWhereUnknown = 10;
+/** The median of two cities. */
+const kShapesWhereUnknown = 70;
 
 /**
  * A sector as the core knows it, from its record (client_scripts/README.md): plan lattice throughout.
@@ -19,7 +20,19 @@ export function sectorFromRecord(record) {
     sector.bodies = (record.bodies ?? []).map(bodyFromRecord);
     sector.visible = [...(record.visible ?? [])];
     sector.overRoofs = [...(record.over_roofs ?? [])];
+    sector.important = [...(record.important ?? [])];
     sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
+    const overRoofs = new Set(sector.overRoofs), behind = sector.gates.map(gate => gate.to).filter(Boolean);
+    sector.leads = [...new Set([...behind, ...sector.visible.filter(id => !overRoofs.has(id))])];
+    return sector;
+}
+
+/** A sector of which a far file has told where it leads: no ground yet. `leads`: what it sees and its gates lead to. */
+export function sectorFromLinks(record) {
+    const sector = sectorFromNeighbour(record), overRoofs = new Set(record.over_roofs);
+    sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
+    sector.overRoofs = [...overRoofs];
+    sector.leads = sector.neighbours.map(({ id }) => id).filter(id => !overRoofs.has(id));
     return sector;
 }
 

@@ -5,6 +5,10 @@ const kWalkKeys = {
 };
 const kLookPerPixel = 0.005;      // rad
 const kStickReach = 56;           // CSS pixels from the centre to full speed
+/** A press that moves less and is shorter is a click. */
+const kTapPixels = 6, kTapMilliseconds = 400;
+/** Elements that have a use for keys themselves. */
+const kOwnKeys = 'button, input, select, textarea, a, article';
 
 /**
  * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
@@ -13,12 +17,13 @@ const kStickReach = 56;           // CSS pixels from the centre to full speed
  * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
  */
 export class Controls {
-    /** `stick`: the element that shows the touch stick. `commands`: code -> function. */
-    constructor(surface, stick, commands) {
-        Object.assign(this, { surface, stick, commands, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
+    /** `stick`: the element that shows the touch stick. `commands`: code -> function. `tap([x, y])`: a click, in its pixels. */
+    constructor(surface, stick, commands, tap = () => {}) {
+        Object.assign(this, { surface, stick, commands, tap, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
         addEventListener('keydown', event => this.keyDown(event));
         addEventListener('keyup', event => this.keyUp(event));
         addEventListener('blur', () => this.release());
+        surface.addEventListener('mousedown', event => event.preventDefault(), { capture: true });   // the focus stays here
         surface.addEventListener('pointerdown', event => this.pointerDown(event));
         surface.addEventListener('pointermove', event => this.pointerMove(event));
         for (const type of ['pointerup', 'pointercancel']) surface.addEventListener(type, event => this.pointerUp(event));
@@ -42,7 +47,7 @@ export class Controls {
     keyDown(event) {
         this.shift = event.shiftKey;
         if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (event.target.closest?.('button, input, textarea, a') && event.code !== 'Escape') return;
+        if (event.target.closest?.(kOwnKeys) && event.code !== 'Escape' && isForElement(event)) return;
         if (event.code in kWalkKeys) {
             this.held.add(event.code);
             event.preventDefault();
@@ -67,7 +72,7 @@ export class Controls {
         if (event.pointerType === 'mouse' && event.button !== 0) return;
         const walks = event.pointerType === 'touch' && event.clientX < innerWidth / 2;
         const [x, y] = [event.clientX, event.clientY];
-        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y };
+        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y, at: event.timeStamp, moved: 0 };
         this.drags.set(event.pointerId, drag);
         this.surface.setPointerCapture?.(event.pointerId);
         this.surface.focus();
@@ -83,6 +88,7 @@ export class Controls {
             this.look[1] += (event.clientY - drag.y) * kLookPerPixel;
         }
         [drag.x, drag.y] = [event.clientX, event.clientY];
+        drag.moved = Math.max(drag.moved, Math.hypot(drag.x - drag.x0, drag.y - drag.y0));
         if (drag.role === 'walk') this.showStick(drag);
     }
 
@@ -91,6 +97,9 @@ export class Controls {
         this.drags.delete(event.pointerId);
         this.surface.classList.remove('dragging');
         if (drag?.role === 'walk') this.showStick(null);
+        if (event.type !== 'pointerup' || !drag || drag.moved > kTapPixels || event.timeStamp - drag.at > kTapMilliseconds) return;
+        const { left = 0, top = 0 } = this.surface.getBoundingClientRect?.() ?? {};
+        this.tap([drag.x - left, drag.y - top]);
     }
 
     showStick(drag) {
@@ -101,6 +110,13 @@ export class Controls {
         const [x, y] = [clamp((drag.x - drag.x0) / kStickReach), clamp((drag.y - drag.y0) / kStickReach)];
         this.stick.firstElementChild.style.transform = `translate(${x * 34}px, ${y * 34}px)`;
     }
+}
+
+/** Where one chooses, keys belong to the choice; a text that scrolls has the arrows, a button what presses it. */
+function isForElement({ target, code }) {
+    if (target.closest('select, textarea') !== null) return true;
+    if (/^(Enter|NumpadEnter|Space|Tab)$/.test(code)) return true;
+    return target.matches('article') && /^(Arrow|Page|Home|End)/.test(code);
 }
 
 function clamp(value) {

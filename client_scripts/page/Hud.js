@@ -6,9 +6,12 @@ const kMessageSeconds = 4;
 /** The words and bars over the 3D view. Needs the elements of index.html. */
 export class Hud {
     constructor(page = document) {
+        this.page = page;
+        this.loading = '';
         this.at = id => page.getElementById(id);
         this.at('help-button').addEventListener('click', () => this.toggleHelp());
         this.at('help-close').addEventListener('click', () => this.toggleHelp(false));
+        this.at('settings-close').addEventListener('click', () => this.toggleSettings(false));
         this.timer = 0;
         this.city = 'Vicus';
     }
@@ -37,10 +40,31 @@ export class Hud {
         this.at('rights').textContent = text;
     }
 
-    /** share in 0..1; 1 hides the bar. */
-    showProgress(share) {
-        this.at('progress').hidden = share >= 1;
-        this.at('progress').firstElementChild.style.width = `${Math.round(100 * share)}%`;
+    /** `share` in 0..1; 1 hides the bar. With `files` of `allFiles`, `bytes` of `allBytes`: in words, too. */
+    showProgress({ share, files = 0, allFiles = 0, bytes = 0, allBytes = 0 }) {
+        const bar = this.at('progress'), percent = Math.round(100 * Math.min(1, share));
+        const isDone = share >= 1 || (allFiles > 0 && files === allFiles);
+        bar.hidden = isDone;
+        bar.firstElementChild.style.width = `${percent}%`;
+        bar.setAttribute('aria-valuenow', String(percent));
+        this.loading = isDone || !allFiles ? '' : `loading ${percent} % · ${this.bytes(bytes)} of ${this.bytes(allBytes)}`;
+    }
+
+    /** What is around: i of L_i, how many files; or what is being loaded. */
+    showStatus({ i, isMeasured, files }) {
+        const text = this.loading || `L${i}${isMeasured ? '' : ' (chosen)'} · ${files} files around you`;
+        if (this.at('status').textContent !== text) this.at('status').textContent = text;
+    }
+
+    bytes(count) {
+        if (count < 1e6) return `${Math.round(count / 1e3)} kB`;
+        return `${(count / 1e6).toFixed(count < 1e7 ? 1 : 0)} MB`;
+    }
+
+    /** A file that failed stays one while it is asked for again. */
+    showFailures(count) {
+        if (count) this.showTrouble(`${count === 1 ? 'One place nearby' : `${count} places nearby`} cannot be loaded: trying again.`);
+        else this.hideTrouble();
     }
 
     /** A word that goes by itself. */
@@ -70,9 +94,41 @@ export class Hud {
         this.at('message').hidden = true;
     }
 
+    isShown(id) {
+        return !this.at(id).hidden;
+    }
+
     toggleHelp(shown = this.at('help').hidden) {
-        this.at('help').hidden = !shown;
-        this.at('help-button').setAttribute('aria-expanded', String(shown));
-        this.at(shown ? 'help-close' : 'window').focus();
+        this.toggleDialog('help', shown);
+    }
+
+    toggleSettings(shown = this.at('settings').hidden) {
+        this.toggleDialog('settings', shown);
+    }
+
+    /** The focus goes into a dialog when it opens and back to the window when it closes. */
+    toggleDialog(id, shown) {
+        if (shown === this.isShown(id)) return;
+        if (shown) this.closeDialogs();
+        this.toggle(id, shown);
+        this.at(shown ? `${id}-close` : 'window').focus();
+    }
+
+    closeDialogs() {
+        for (const id of ['help', 'settings']) if (this.isShown(id)) this.toggleDialog(id, false);
+    }
+
+    toggleSide(shown = this.at('side').hidden) {
+        this.toggle('side', shown);
+        this.page.body.classList.toggle('with-side', shown);
+    }
+
+    togglePad(shown = this.at('pad').hidden) {
+        this.toggle('pad', shown);
+    }
+
+    toggle(id, shown) {
+        this.at(id).hidden = !shown;
+        this.at(`${id}-button`).setAttribute('aria-expanded', String(shown));
     }
 }

@@ -1,86 +1,144 @@
+import { CityPlan } from './CityPlan.js';
 import { Controls } from './Controls.js';
 import { FrameRate } from './FrameRate.js';
 import { Hud } from './Hud.js';
+import { MapView } from './MapView.js';
+import { PlaceDocument } from './PlaceDocument.js';
+import { SettingsDialog, storedSettings } from './Settings.js';
+import { StepButtons } from './StepButtons.js';
+import { Travel } from './Travel.js';
+import { Visit } from './Visit.js';
 import { Walker } from './Walker.js';
 import { XIteAdapter } from './xIteAdapter.js';
+import { fetchRootWorld } from './rootWorld.js';
 import { placeFromUrl, rootUrl, urlOfPlace } from './sharedPlace.js';
 
-/** The page: the LOADER Script of the root world owns the sectors; here the visitor is moved and told where he is. */
-const hud = new Hud();
-const place = placeFromUrl(location.href);
-const visit = { current: '', sectors: [], failed: new Set(), homePose: null, firstStreetAt: 0, lastFrame: 0 };
+/** s between two looks at what changes slowly: map, document, figures. */
+const kSideSeconds = 0.12;
+/** CSS pixels from which the map is open at the start. */
+const kWideWindow = 1100;
 
+const hud = new Hud();
+const place = placeFromUrl(location.href), settings = storedSettings(place);
+const byId = id => document.getElementById(id);
+
+/** The page: steers the visitor, loads the sectors around him, shows him where he is. */
 async function start() {
-    hud.showProgress(0.1);
-    const view = await XIteAdapter.create(document.getElementById('city'));
-    hud.showProgress(0.3);
+    hud.showProgress({ share: 0.1 });
+    const [view, world] = await Promise.all([XIteAdapter.create(byId('city')), fetchRootWorld(rootUrl(place.start))]);
+    hud.showProgress({ share: 0.2 });
+    hud.showCity(world.name);
+    hud.showRights(world.rights);
     const frameRate = new FrameRate(scale => view.setContentScale(scale), view.isSoftwareRenderer());
-    await view.load(rootUrl(place.start));
-    hud.showCity(view.meta('subject'));
-    hud.showRights(view.meta('rights'));
-    view.onSectorChanged(id => { visit.current = id; });
+    await view.show(world.text, world.base);
+    const visit = new Visit(view, world, settings, text => console.info(text));
     visit.homePose = view.pose();
     if (place.pose) view.setPose({ ...visit.homePose, ...place.pose });
-    const walker = new Walker(view);
-    const controls = new Controls(document.getElementById('window'), document.getElementById('stick'), commandsFor(view));
-    document.getElementById('share').addEventListener('click', () => share(view));
-    document.getElementById('window').focus();
-    window.vicus = { view, walker, controls, visit };   // for tests and the curious
+    const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') });
+    const parts = { view, world, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
+    const commands = commandsFor(parts);
+    const tap = spot => travel.walkTo(spot, byId('window'), byId('goal'));
+    parts.controls = new Controls(byId('window'), byId('stick'), commands, tap);
+    parts.pad = new StepButtons(byId('pad'), { level: () => view.setPose({ ...view.pose(), pitch: 0 }) });
+    connectButtons(parts, commands);
+    if (innerWidth >= kWideWindow) hud.toggleSide(true);
+    byId('window').focus({ focusVisible: false });
+    window.vicus = parts;   // for tests and the curious
+    let last = performance.now() / 1000;
     const frame = time => {
-        step(view, walker, controls, frameRate, time / 1000);
+        step(parts, time / 1000 - last);
+        last = time / 1000;
         requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
 }
 
-function step(view, walker, controls, frameRate, now) {
-    const seconds = now - visit.lastFrame;
-    visit.lastFrame = now;
-    const before = visit.sectors.filter(sector => sector.record).length;
-    visit.sectors = view.sectors();
-    const records = visit.sectors.map(sector => sector.record).filter(Boolean);
+function sideParts(world, visit, travel) {
+    const plan = new CityPlan(world.degrees);
+    const go = id => travel.toSector(id), goTo = viewpoint => travel.toViewpoint(viewpoint);
+    const paper = new PlaceDocument({ plan, base: world.base, go, goTo });
+    paper.showRights(world.rights);
+    const map = new MapView(byId('map'), plan, (east, north) => {
+        const sector = plan.sectorAt(east, north);
+        if (sector) travel.toPlace(sector.id, [east, north]);
+        else hud.say('Nobody can walk there.');
+    });
+    const dialog = new SettingsDialog(settings, ({ level, line, test }) => {
+        visit.set({ level, line, test });
+        hud.say(level === null ? 'As many sectors as this device can.' : `Sectors around you: L${level}.`);
+    });
+    return { plan, paper, map, dialog, sideAt: 0 };
+}
+
+function step(parts, seconds) {
+    const { view, visit, walker, travel, controls, pad, frameRate } = parts, before = visit.records.length, pose = view.pose();
+    visit.step(pose, performance.now() / 1000);
+    const { records } = visit;
     walker.setGround(records);
-    const hasMoved = walker.step(controls.wish(), seconds);
+    const wish = pad.addTo(controls.wish(), seconds);
+    const hasMoved = walker.step(travel.wish(wish, pose, seconds), seconds);
     const isSettled = records.length > 0 && visit.sectors.every(sector => sector.phase !== 'loading');
     if (!hasMoved) frameRate.rest(isSettled ? seconds : 0);
     else if (records.length === before) frameRate.add(seconds);
-    show(records);
-}
-
-function show(records) {
-    const here = records.find(record => record.id === visit.current);
-    if (here) {
-        if (!visit.firstStreetAt) visit.firstStreetAt = performance.now();
-        hud.showPlace(here);
+    if (visit.here) hud.showPlace(visit.here);
+    hud.showFailures(visit.failed.size);
+    const now = performance.now() / 1000;
+    if (now - parts.sideAt >= kSideSeconds) {
+        parts.sideAt = now;
+        showSide(parts);
     }
-    const wanted = visit.sectors.filter(sector => sector.phase !== 'absent');
-    const settled = wanted.filter(sector => sector.phase !== 'loading').length;
-    hud.showProgress(wanted.length ? 0.4 + 0.6 * settled / wanted.length : 0.4);
-    showFailures();
 }
 
-/** A file that failed stays one while it is asked for again. */
-function showFailures() {
-    const isFailed = ({ stem, phase }) => phase === 'failed' || (phase === 'loading' && visit.failed.has(stem));
-    visit.failed = new Set(visit.sectors.filter(isFailed).map(sector => sector.stem));
-    const { size } = visit.failed;
-    const places = size === 1 ? 'One place nearby' : `${size} places nearby`;
-    if (size) hud.showTrouble(`${places} cannot be loaded: trying again.`);
-    else hud.hideTrouble();
+function showSide({ view, visit, travel, plan, map, paper, dialog }) {
+    const pose = view.pose(), progress = visit.files.progress(visit.missing(pose));
+    hud.showProgress({ share: visit.here ? 0.2 + 0.8 * progress.bytes / progress.allBytes : 0.3, ...progress });
+    for (const record of visit.records) plan.addRecord(record);
+    travel.learnViewpoints();
+    hud.showStatus({ i: visit.level, isMeasured: settings.level === null, files: visit.sectors.length });
+    if (hud.isShown('side')) {
+        map.show(pose, visit.sectors, visit.here);
+        paper.show(visit.here, travel.viewpoints.around(pose));
+    }
+    if (hud.isShown('settings')) dialog.showFigures(figuresOf(visit));
 }
 
-function commandsFor(view) {
+function figuresOf({ level, planner, files, sectors }) {
+    const { choice } = planner, { memory } = performance, speed = files.bytesPerSecond;
+    const count = end => sectors.filter(({ stem }) => (stem.split('.')[1] ?? 'near') === end).length;
+    return [
+        ['Sectors', `L${level}: ${count('near')} near, ${count('far')} far, ${count('tall')} over roofs`],
+        ['i', choice.fixed === null ? `measured, at most ${choice.limit} (${choice.reason})` : 'as chosen'],
+        ['Shapes', `${planner.liveShapes()} of at most ${planner.options.shapeCap}`],
+        ['Frames', choice.median === null ? 'not measured yet' : `${Math.round(1000 * choice.median)} ms`],
+        ['Loaded', `${hud.bytes(files.loaded.bytes)} in ${files.loaded.files} files${speed ? `, ${hud.bytes(speed)}/s` : ''}`],
+        ['On the way', hud.bytes(files.bytesInFlight)],
+        ['Memory', memory ? hud.bytes(memory.usedJSHeapSize) : 'this browser does not tell'],
+    ];
+}
+
+function commandsFor({ view, visit, travel }) {
     return {
-        KeyH: () => hud.toggleHelp(),
-        Slash: () => hud.toggleHelp(),
-        Escape: () => hud.toggleHelp(false),
-        KeyR: () => view.setPose(visit.homePose),
-        KeyL: () => share(view),
+        KeyH: () => hud.toggleHelp(), Slash: () => hud.toggleHelp(),
+        Escape: () => hud.closeDialogs(),
+        KeyM: () => hud.toggleSide(), KeyB: () => hud.togglePad(), KeyO: () => hud.toggleSettings(),
+        KeyN: () => travel.next(), PageDown: () => travel.next(), KeyP: () => travel.previous(), PageUp: () => travel.previous(),
+        KeyR: () => travel.to(visit.homePose),
+        KeyL: () => share(view, visit),
     };
 }
 
-async function share(view) {
-    const url = urlOfPlace(location.href, visit.current, view.pose());
+function connectButtons({ map }, commands) {
+    const actions = {
+        'side-button': commands.KeyM, 'pad-button': commands.KeyB, 'settings-button': commands.KeyO, share: commands.KeyL,
+        'view-next': commands.KeyN, 'view-previous': commands.KeyP,
+        'map-in': () => map.zoomBy(1), 'map-out': () => map.zoomBy(-1), 'map-home': () => map.follow(),
+    };
+    for (const [id, action] of Object.entries(actions)) byId(id).addEventListener('click', () => action());
+    byId('map-seen').addEventListener('change', event => { map.seen = event.target.checked; });
+}
+
+async function share(view, visit) {
+    const url = urlOfPlace(location.href, visit.current, view.pose(), { level: visit.level, isMeasured: settings.level === null });
     history.replaceState(null, '', url);
     try {
         await navigator.clipboard.writeText(url);
@@ -90,18 +148,7 @@ async function share(view) {
     }
 }
 
-/** What the server says about the root world, when it says no. */
-async function reasonOf(error) {
-    try {
-        const response = await fetch(rootUrl(place.start));
-        if (!response.ok) return (await response.json()).detail ?? response.statusText;
-    } catch {
-        return 'The server does not answer. Is `vicus serve` still running?';
-    }
-    return error?.message ?? String(error);
-}
-
-start().catch(async error => {
-    hud.showProgress(1);
-    hud.showTrouble(await reasonOf(error));
+start().catch(error => {
+    hud.showProgress({ share: 1 });
+    hud.showTrouble(error?.message ?? String(error));
 });

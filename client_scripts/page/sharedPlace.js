@@ -1,23 +1,30 @@
 /**
- * The page's address: ?start=SECTOR, and behind # where exactly the visitor stands: east,north,heading in metres and
- * degrees clockwise from north. A link without # starts at the sector's own viewpoint.
+ * The page's address: ?start=SECTOR&i=LEVEL&test=TEST, and behind # where exactly the visitor stands:
+ * east,north,heading[,pitch] in metres and degrees, heading clockwise from north. A link without # starts at the sector's
+ * own viewpoint. i=2 holds L_2; i=auto-2 begins there and goes by what is measured.
  */
 export function placeFromUrl(href) {
     const url = new URL(href);
     const numbers = url.hash.slice(1).split(',').map(Number);
-    const isPose = url.hash.length > 1 && numbers.length === 3 && numbers.every(Number.isFinite);
-    const radians = isPose ? numbers[2] * Math.PI / 180 : 0;
+    const isPose = url.hash.length > 1 && (numbers.length === 3 || numbers.length === 4) && numbers.every(Number.isFinite);
+    const [east, north, heading, pitch = 0] = numbers, radians = degrees => degrees * Math.PI / 180;
+    const level = (url.searchParams.get('i') ?? '').match(/^(auto-)?([0-3])$/);
     return {
         start: url.searchParams.get('start') ?? '',
-        pose: isPose ? { east: numbers[0], north: numbers[1], heading: radians } : null,
+        level: level ? Number(level[2]) : null,
+        isMeasured: Boolean(level?.[1]),
+        test: url.searchParams.get('test') ?? '',
+        pose: isPose ? { east, north, heading: radians(heading), pitch: radians(pitch) } : null,
     };
 }
 
-export function urlOfPlace(href, start, { east, north, heading }) {
-    const url = new URL(href);
+/** `level`: i now; `isMeasured`: it goes by what is measured. */
+export function urlOfPlace(href, start, { east, north, heading, pitch = 0 }, { level = null, isMeasured = true } = {}) {
+    const url = new URL(href), degrees = angle => Math.round(angle * 180 / Math.PI);
     if (start) url.searchParams.set('start', start);
-    const degrees = (Math.round(heading * 180 / Math.PI) % 360 + 360) % 360;
-    url.hash = `${east.toFixed(2)},${north.toFixed(2)},${degrees}`;
+    if (level !== null) url.searchParams.set('i', `${isMeasured ? 'auto-' : ''}${level}`);
+    const tilt = degrees(pitch) || 0, turn = (degrees(heading) % 360 + 360) % 360;
+    url.hash = [east.toFixed(2), north.toFixed(2), turn, ...(tilt ? [tilt] : [])].join(',');
     return url.href;
 }
 

@@ -1,6 +1,4 @@
-import { loadPhase } from '../core/loadPhase.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
-import { levelOf } from '../core/sectorRecord.js';
 import { steadyLevel } from '../core/steadyLevel.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
@@ -20,54 +18,74 @@ export class XIteAdapter {
         await new Promise((resolve, reject) => X3D(resolve, reject));
         const swallow = event => event.stopPropagation();
         for (const type of kTypesToSwallow) canvas.addEventListener(type, swallow, { capture: true, passive: true });
-        return new XIteAdapter(X3D, canvas);
+        canvas.tabIndex = -1;   // the window around it has the focus and the keys
+        const view = new XIteAdapter(X3D, canvas);
+        withoutTangents(view.browser.currentScene);
+        return view;
     }
 
     constructor(X3D, canvas) {
         this.X3D = X3D;
         this.canvas = canvas;
         this.browser = canvas.browser;
-        this.records = new WeakMap();   // an Inline's scene -> its record
     }
 
     /**
      * Shows the world and takes its navigation: the page moves the eye. X_ITE's own gravity draws the world into a depth
-     * buffer and waits for it, each frame.
+     * buffer and waits for it, each frame. `base`: what addresses in sectors' files are relative to.
      *
-     * Fails   Error: the world cannot be fetched or read.
+     * Fails   Error: the world cannot be read.
      */
-    async load(url) {
-        await this.browser.loadURL(new this.X3D.MFString(url));
+    async show(text, base) {
+        await this.browser.replaceWorld(await this.browser.createX3DFromString(text));
+        this.browser.baseURL = base;
         steadyLevels(this.browser.currentScene);
         const navigation = this.browser.activeNavigationInfo;
         if (navigation) navigation.type = new this.X3D.MFString('NONE');
     }
 
-    /** The value of <meta name='...'> of the root world, or ''. */
-    meta(name) {
-        return [...(this.browser.currentScene.getMetaData(name) ?? [])].join(', ');
+    /** A place for a sector's file in the world: Transform (the sector's origin) > Inline that fetches nothing itself. */
+    place(origin) {
+        const scene = this.browser.currentScene, transform = scene.createNode('Transform'), inline = scene.createNode('Inline');
+        inline.load = false;
+        transform.translation = new this.X3D.SFVec3f(origin[0], 0, -origin[1]);
+        transform.children[0] = inline;
+        const { children } = scene.getNamedNode('WORLD');
+        children[children.length] = transform;
+        return { transform, inline };
     }
 
-    onSectorChanged(callback) {
-        const loader = this.browser.currentScene.getNamedNode('LOADER');
-        loader.addFieldCallback('page', 'sector_changed', callback);
-        if (loader.sector_changed) callback(loader.sector_changed);
+    /** The scene that a sector's file describes, its textures and parts loaded. Fails   Error: it cannot be read. */
+    makeScene(text) {
+        return this.browser.createX3DFromString(text);
     }
 
-    /** Every file the world has a place for: { stem, phase, record }, record null unless a near one is there. */
-    sectors() {
-        const places = Array.from(this.browser.currentScene.getNamedNode('WORLD').children);
-        return places.flatMap(place => Array.from(place.children ?? []))
-            .filter(node => node?.getNodeTypeName() === 'Inline').map(inline => this.sectorOf(inline));
+    fill({ inline }, scene) {
+        inline.getValue().setInternalScene(scene);
     }
 
-    sectorOf(inline) {
-        const stem = decodeURIComponent(inline.url[0].replace(/^.*\//, '').replace(/\.x3d$/, ''));
-        const phase = loadPhase(inline.load, inline.getValue().checkLoadState());
-        if (phase !== 'live' || levelOf(stem) !== 'near') return { stem, phase, record: null };
-        const scene = inline.getValue().getInternalScene();
-        if (!this.records.has(scene)) this.records.set(scene, readOrNull(scene));
-        return { stem, phase, record: this.records.get(scene) };
+    empty({ transform, inline }) {
+        inline.getValue().requestUnload();
+        const world = this.browser.currentScene.getNamedNode('WORLD');
+        world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => node !== transform));
+    }
+
+    /** The record in a sector's scene, or null. */
+    recordOf(scene) {
+        try {
+            return recordFromMetadata(scene.getNamedNode('RECORD'));
+        } catch {
+            return null;
+        }
+    }
+
+    /** [{ name, east, north, heading }] in a sector's scene, `origin` its place in plan. */
+    viewpointsOf(scene, [east, north]) {
+        const nodes = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Viewpoint');
+        return nodes.map(({ description, position: p, orientation: turn }) => {
+            const ahead = turn.multVec(new this.X3D.SFVec3f(0, 0, -1));
+            return { name: description, east: east + p.x, north: north - p.z, heading: Math.atan2(ahead.x, -ahead.z) };
+        });
     }
 
     pose() {
@@ -82,6 +100,11 @@ export class XIteAdapter {
         const view = this.browser.activeViewpoint.getValue(), { SFVec3f, SFRotation } = this.X3D;
         view.setUserPosition(new SFVec3f(east, up, -north).getValue());
         view.setUserOrientation(new SFRotation(...axisAngle(heading, pitch)).getValue());
+    }
+
+    /** rad, of the smaller side of the view. */
+    fieldOfView() {
+        return this.browser.activeViewpoint.fieldOfView;
     }
 
     /** Pixels drawn per CSS pixel. */
@@ -99,14 +122,6 @@ export class XIteAdapter {
     /** Is nothing on its way? */
     isIdle() {
         return this.browser._loadCount.getValue() === 0;
-    }
-}
-
-function readOrNull(scene) {
-    try {
-        return recordFromMetadata(scene.getNamedNode('RECORD'));
-    } catch {
-        return null;   // the LOADER says so and asks again
     }
 }
 
@@ -133,4 +148,10 @@ function steadyLevels(scene) {
         const distance = modelViewMatrix.translate(this._center.getValue()).origin.norm();
         return steadyLevel(Array.from(this._range), this._level_changed.getValue(), distance);
     };
+}
+
+/** X_ITE makes tangents for every lit Shape, by WebAssembly, which the page's policy refuses; only normal maps need them. */
+function withoutTangents(scene) {
+    for (let type = scene.createNode('IndexedFaceSet').getValue(); type; type = Object.getPrototypeOf(type))
+        if (Object.hasOwn(type, 'generateTangents')) type.generateTangents = () => {};
 }

@@ -41,6 +41,15 @@ export class InlineSectors {
         }
     }
 
+    /** What a far file tells of where it leads; null: nothing. Needs   phase(stem) == 'live'. */
+    links(stem) {
+        try {
+            return this.record(stem);
+        } catch {
+            return null;
+        }
+    }
+
     makeAlarm(seconds) {
         const alarm = this.scene.createNode('TimeSensor');
         alarm.cycleInterval = seconds;

@@ -1,12 +1,15 @@
+import { SectorLoader } from '../core/SectorLoader.js';
 import { InlineSectors } from './InlineSectors.js';
-import { SectorLoader } from './SectorLoader.js';
 import { VrmlSectors } from './VrmlSectors.js';
 
 // The LOADER Script of the root world (client_scripts/README.md); its fields are in scope by name:
-// start, base, ids, inlines, places, origins, world, sector_changed. Bundled with core/ into /client/loader.js.
-/* global Browser, MFNode, MFString, start, base, ids, inlines, places, origins, world, sector_changed:writable */
+// start, base, level, sector_test, ids, inlines, places, origins, world, sector_changed, level_changed. Bundled with core/
+// into /client/loader.js.
+/* global Browser, MFNode, MFString, start, base, level, sector_test, ids, inlines, places, origins, world,
+   sector_changed:writable, level_changed:writable */
 let loader = null;
 let visitor = null;
+let heading = null;
 let alarm = null;
 
 /** s an alarm rings: long enough for a frame. */
@@ -20,11 +23,13 @@ function initialize() {
         ? new VrmlSectors({ browser: Browser, world, base, ids, places,
             nodes: node => new MFNode(node), strings: text => new MFString(text) })
         : new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines });
-    loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text), nearOnly: isVrml97 });
+    loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text), nearOnly: isVrml97,
+        fixedLevel: level === '' ? null : Number(level), test: sector_test });
     Array.from(ids).forEach((id, i) => loader.planner.addNeighbour({
         id, origin: [origins[i].x, -origins[i].z], box: boxOf(origins[i], inlines[i]) }));
     alarm = sectors.makeAlarm(kRing);
     sector_changed = start;
+    level_changed = String(loader.planner.i);
 }
 
 function boxOf(origin, inline) {
@@ -38,10 +43,24 @@ function set_position(position) {
     visitor = [position.x, -position.z];
 }
 
+/** Where -z, the way a visitor looks, points to after the turn about (x, y, z). */
+function set_orientation({ x, y, z, angle }) {
+    const c = Math.cos(angle), s = Math.sin(angle);
+    const east = -(x * z * (1 - c) + y * s), south = -(z * z * (1 - c) + c);
+    if (Math.hypot(east, south) > 0.01) heading = Math.atan2(east, -south);
+}
+
 function prepareEvents() {
-    const now = Date.now() / 1000, plan = loader.step(visitor, now);
+    const now = Date.now() / 1000, plan = loader.step(visitor, now, { heading, memoryShare: memoryShare() });
     if (plan.changed) sector_changed = plan.current;
+    if (level_changed !== String(plan.level)) level_changed = String(plan.level);
     setAlarm(Math.max(plan.wakeAt, now + kRing));
+}
+
+/** Of what the browser allows its scripts; 0 where it does not tell. */
+function memoryShare() {
+    const memory = typeof performance === 'undefined' ? null : performance.memory;
+    return memory ? memory.usedJSHeapSize / memory.jsHeapSizeLimit : 0;
 }
 
 /** A browser that draws nothing while nothing moves, draws a frame when a TimeSensor starts. */

@@ -50,9 +50,9 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
         await visitor.streetTime();
         await visitor.page.waitForFunction(() => document.getElementById('street').textContent);
         if (record.name) assert.equal(await visitor.page.textContent('#street'), record.name);
-        const rights = await visitor.page.evaluate(() => window.vicus.view.meta('rights'));
+        const rights = await visitor.page.evaluate(() => window.vicus.world.rights);
         assert.equal(await visitor.page.textContent('#rights'), rights);
-        const city = await visitor.page.evaluate(() => window.vicus.view.meta('subject'));
+        const city = await visitor.page.evaluate(() => window.vicus.world.name);
         assert.ok(city, 'the city has no name');
         assert.match(await visitor.page.title(), new RegExp(`^.+ · ${city}$`));
         await visitor.page.close();

@@ -21,7 +21,7 @@ for (const format of ['x3d', 'wrl']) test(`the .${format} world of ${name} works
     const map = new CityMap(server.origin), start = await startWithRoute(map, kGates);
     const route = await map.route(start, kGates);
     const tab = await openTab(browser.context);
-    const body = bareWorld(`/city.${format}?start=${start}`);
+    const body = bareWorld(`/city.${format}?start=${start}&i=1`);
     await tab.page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body }));
     await tab.page.goto(`${server.origin}/bare.html`);
     await assertSector(tab.page, map, start, format);

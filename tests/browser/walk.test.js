@@ -29,7 +29,8 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
     const map = new CityMap(server.origin);
     const start = await startWithRoute(map, kGates);
     const route = await map.route(start, kGates);
-    const visitor = await Visitor.open(browser.context, `${server.origin}/?start=${start}`);
+    // L_1 by choice: what a slow machine measures is no matter of this test.
+    const visitor = await Visitor.open(browser.context, `${server.origin}/?start=${start}&i=1`);
     const shoot = label => visitor.page.screenshot({ path: join(kShots, `${name}-${label}.png`) });
 
     await t.test('starts in the given sector, complete within the byte budget', async () => {
@@ -92,6 +93,22 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
         const shapes = await visitor.shapes();
         t.diagnostic(`${shapes} Shapes`);
         assert.ok(shapes > 0 && shapes < kShapeCap, `${shapes} Shapes`);
+    });
+
+    await t.test('L_2, chosen by the address: breadth-first, near, far and tall; L_0 again by the settings', async () => {
+        const { current } = await visitor.now(), guest = await Visitor.open(browser.context, `${server.origin}/?start=${current}&i=2`);
+        await guest.streetTime();
+        const wanted = await map.filesWithin(current, 2);
+        const { live } = await guest.waitFor(({ live: there }) => there.length === wanted.length, 240);
+        assert.deepEqual(live, wanted);
+        t.diagnostic(`L_2 of ${current}: ${wanted.length} files, ${await guest.shapes()} Shapes`);
+        await shoot('l2');
+        await guest.page.keyboard.press('KeyO');
+        await guest.page.selectOption('#set-level', '0');
+        const left = await guest.waitFor(({ asked }) => asked.length < 6, 60);
+        assert.ok(left.live.includes(current) && left.live.length < 6, `${left.live}`);
+        assert.deepEqual(guest.complaints, []);
+        await guest.page.close();
     });
 
     await t.test('the console stays silent', () => assert.deepEqual(visitor.complaints, []));

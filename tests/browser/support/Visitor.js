@@ -26,7 +26,7 @@ export class Visitor {
     /** { current, pose, live, asked, failed } now; the last three are files by their stems: ID, ID.far, ID.tall. */
     now() {
         return this.page.evaluate(() => {
-            const { view, visit } = window.vicus, sectors = view.sectors();
+            const { view, visit } = window.vicus, { sectors } = visit;
             const of = (...phases) => sectors.filter(({ phase }) => phases.includes(phase)).map(({ stem }) => stem).sort();
             const [live, asked, failed] = [of('live'), of('live', 'loading'), of('failed')];
             return { current: visit.current, pose: view.pose(), live, asked, failed };
@@ -35,8 +35,8 @@ export class Visitor {
 
     async settle(seconds = 60) {
         await this.page.waitForFunction(() => {
-            const sectors = window.vicus.view.sectors();
-            const quiet = window.vicus.view.isIdle() && sectors.every(sector => sector.phase !== 'loading');
+            const { view, visit } = window.vicus;
+            const quiet = view.isIdle() && visit.sectors.every(sector => sector.phase !== 'loading');
             window.quietSince = quiet ? window.quietSince || performance.now() : 0;
             return quiet && performance.now() - window.quietSince > 400;
         }, null, { timeout: 1000 * seconds });
@@ -153,7 +153,7 @@ function countShapes() {
     const visit = node => {
         const type = node?.getNodeTypeName();
         if (type === 'Shape') ++count;
-        const inner = type === 'Inline' && node.load ? node.getValue().getInternalScene()?.rootNodes : node?.children;
+        const inner = type === 'Inline' ? node.getValue().getInternalScene()?.rootNodes : node?.children;
         for (const child of Array.from(inner ?? [])) visit(child);
     };
     for (const node of Array.from(browser.currentScene.rootNodes)) visit(node);

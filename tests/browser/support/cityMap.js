@@ -1,6 +1,7 @@
 import { GroundWalls } from '../../../client_scripts/core/GroundWalls.js';
 import { distance, nearestOnSegment } from '../../../client_scripts/core/planGeometry.js';
 import { levelsAround, sectorFromRecord, stemOf } from '../../../client_scripts/core/sectorRecord.js';
+import { sectorsWithin } from '../../../client_scripts/core/sectorSets.js';
 
 const kLeastGateMm = 1500;       // a gate the route uses is at least this wide
 const kOffWallMm = [1200, 700];  // way points lie this far off a ground's corners
@@ -29,6 +30,18 @@ export class CityMap {
     /** Stems of the files that are to be there around `id`: near ones for it and behind its gates, far and tall by its record. */
     async filesAround(id) {
         return [...levelsAround(await this.sector(id))].map(([near, level]) => stemOf(near, level)).sort();
+    }
+
+    /** Stems of L_i around `id`. */
+    async filesWithin(id, i) {
+        const sectors = new Map(), first = await this.sector(id);
+        const rings = [[id]];
+        for (let ring = 0; ring < i; ++ring) {
+            for (const member of rings[ring]) sectors.set(member, await this.sector(member));
+            const found = [...sectorsWithin(withNeighbours(sectors), first, ring + 1)];
+            rings.push(found.filter(([, { ring: at, level }]) => at === ring + 1 && level !== 'tall').map(([member]) => member));
+        }
+        return [...sectorsWithin(withNeighbours(sectors), first, i)].map(([member, { level }]) => stemOf(member, level)).sort();
     }
 
     /** A chain of `gates` + 1 sectors from `start`, without going back, along streets of one name where it can. */
@@ -106,6 +119,12 @@ export class CityMap {
         }
         throw new Error(`sector ${id} has no wall to walk up to from ${from}`);
     }
+}
+
+/** What is known: the sectors, and those that they tell of. */
+function withNeighbours(sectors) {
+    const neighbours = [...sectors.values()].flatMap(sector => sector.neighbours.map(neighbour => [neighbour.id, neighbour]));
+    return new Map([...neighbours, ...sectors]);
 }
 
 function pointBefore(a, b, off) {

@@ -66,8 +66,19 @@ TEST(RootScene, GivesTheLoaderItsListsInStep) {
     EXPECT_EQ(fields["origins"]["@value"][3 * i], metres(origin.x));
     EXPECT_EQ(fields["origins"]["@value"][3 * i + 2], -metres(origin.y));
   }
-  for (const char* name : {"set_position", "set_orientation", "sector_changed", "world", "base", "start"})
+  for (const char* name :
+       {"set_position", "set_orientation", "sector_changed", "level_changed", "world", "base", "start"})
     EXPECT_TRUE(fields.contains(name)) << name;
+  EXPECT_EQ(fields["level"]["@value"], "") << "the loader measures";
+  EXPECT_EQ(fields["sector_test"]["@value"], "polygon");
+}
+
+TEST(RootScene, SaysThatItsScriptNeedsEval) {
+  const Sample sample;
+  RootOptions options;
+  EXPECT_NE(sample.text(options).find("unsafe-eval"), std::string::npos) << sample.text(options);
+  options.is_static = true;
+  EXPECT_EQ(sample.text(options).find("eval"), std::string::npos);
 }
 
 TEST(RootScene, LoadsTheStartByItselfAndNothingElseButInVrml97) {

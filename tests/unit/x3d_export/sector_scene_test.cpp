@@ -288,6 +288,41 @@ TEST(SectorFiles, CarryTheSameRecordAsTheJsonFile) {
   }
 }
 
+TEST(SectorFiles, TellInFarOnesWhereTheyLeadAndInTallOnesNothing) {
+  const Sample sample;
+  for (const auto& s : sample.city.sectors) {
+    const auto file = sector_files(sample.index, s, Detail::far, SceneFormat::x3dj).front();
+    const auto json = nlohmann::json::parse(record_json(sector_record(source_of(sample.index), s, 1)));
+    const auto scene = nlohmann::json::parse(file.text);
+    const auto carried = record_in(scene["X3D"]["Scene"]["-children"][0]["WorldInfo"]["-metadata"]["MetadataSet"]);
+    EXPECT_EQ(carried["id"][0], json["id"]);
+    EXPECT_EQ(carried["box"], json["box"]);
+    EXPECT_EQ(carried.value("over_roofs", nlohmann::json::array()), json["over_roofs"]);
+    ASSERT_EQ(carried["neighbour_ids"].size(), json["neighbours"].size());
+    for (std::size_t i = 0; i < json["neighbours"].size(); ++i)
+      EXPECT_EQ(carried["neighbour_ids"][i], json["neighbours"][i]["id"]);
+    EXPECT_FALSE(carried.contains("ground")) << "a near file tells that";
+    for (const auto& tall : sector_files(sample.index, s, Detail::tall, SceneFormat::x3d))
+      EXPECT_EQ(tall.text.find("RECORD"), std::string::npos);
+  }
+}
+
+TEST(SectorRecord, ListsImportantSectorsAndPlacesThatBearAName) {
+  Sample sample;
+  const auto& yard = *sample.index.sector("s-yard");
+  const auto node = record_node(sector_record(source_of(sample.index), yard, 1));
+  bool has_important = false;
+  for (const auto& field : node.nodes)
+    for (const auto& item : field.nodes)
+      for (const auto& value : item.fields)
+        if (value.name == "name" && std::get<std::string>(value.value) == "important") has_important = true;
+  EXPECT_TRUE(has_important);
+  std::size_t named = 0;
+  for (const auto& object : sample.city.objects) named += object.sector_id == "s-cross" && !object.name.empty();
+  const auto cross = sector_record(source_of(sample.index), *sample.index.sector("s-cross"), 1);
+  EXPECT_EQ(nlohmann::json::parse(record_json(cross))["places"].size(), named);
+}
+
 TEST(SectorFiles, HoldTheRecordInAnAnchorInVrml97) {
   const Sample sample;
   const auto text =

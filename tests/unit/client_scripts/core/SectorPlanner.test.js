@@ -8,7 +8,7 @@ import { seeingFar, streetRecords } from '../../../support/streetRecords.js';
 class Visit {
     constructor({ start = 's0', options = {}, delay = 3, records = streetRecords(), broken = new Set() } = {}) {
         this.records = new Map(records.map(record => [record.id, record]));
-        this.planner = new SectorPlanner(start, options);
+        this.planner = new SectorPlanner(start, { fixedLevel: 1, ...options });
         this.planner.addNeighbour(this.records.get(start));
         Object.assign(this, { delay, broken, now: 0, pending: [], live: new Set(), asked: [], unloads: [], perFrame: 0 });
     }
@@ -28,7 +28,7 @@ class Visit {
     settle(stem) {
         if (this.broken.has(stem)) return this.planner.failed(stem, this.now);
         this.live.add(stem);
-        this.planner.arrived(stem, levelOf(stem) === 'near' ? this.records.get(stem) : null);
+        this.planner.arrived(stem, levelOf(stem) === 'tall' ? null : this.records.get(idOf(stem)));
     }
 
     stay(position, seconds) {
@@ -233,4 +233,59 @@ test('a record that belongs to another sector, or lacks its ground, is refused b
     assert.throws(() => planner.arrived('s0', s1), /asked for sector s0, the file's record says s1/);
     assert.throws(() => planner.arrived('s0', { ...s0, ground: [] }), /sector s0: its record has no ground/);
     assert.throws(() => planner.addNeighbour({ id: 's9', origin: [0, 'x'], box: [0, 0, 1, 1] }), /needs id, origin and box/);
+});
+
+test('what is on its way and no longer wanted is given up at once', () => {
+    const visit = new Visit({ records: seeingFar(streetRecords()), delay: 600, options: { fixedLevel: 1 } });
+    visit.settle('s0');
+    visit.stay([20, 5], 1);
+    assert.deepEqual(visit.asked, ['s0', 's1', 's2.far']);
+    assert.deepEqual(visit.unloads, []);
+    visit.planner.choice.set(0);
+    assert.deepEqual(visit.frame([20, 5]).unload.sort(), ['s1', 's2.far']);
+    assert.deepEqual([...visit.planner.states.keys()], ['s0']);
+});
+
+test('L_0 is the sector alone, and what lies behind a gate for who stands near it', () => {
+    const visit = new Visit({ start: 's1', options: { fixedLevel: 0, keepSeconds: 1 } }).stay([60, 5], 1);
+    assert.deepEqual(visit.liveIds, ['s1']);
+    assert.deepEqual(visit.stay([70, 5], 1).liveIds, ['s1', 's2']);
+    assert.deepEqual(visit.stay([60, 5], 3).liveIds, ['s1']);
+});
+
+test('L_2 comes after L_1, by the gates where no list is, by the lists where they are; i may change on the way', () => {
+    const visit = new Visit({ options: { fixedLevel: 2, keepSeconds: 1 } }).stay([20, 5], 1);
+    assert.deepEqual(visit.asked, ['s0', 's1', 's2.far']);
+    visit.planner.choice.set(3);
+    assert.deepEqual(visit.stay([20, 5], 1).liveIds, ['s0', 's1', 's2.far', 's3.far', 'yard.far']);
+    visit.planner.choice.set(1);
+    assert.deepEqual(visit.stay([20, 5], 3).liveIds, ['s0', 's1']);
+});
+
+test('a sector marked important stays near when it is left, others go after keepSeconds', () => {
+    const records = streetRecords().map(record => ({ ...record, important: record.id === 's1' ? ['s0'] : [] }));
+    const visit = new Visit({ records, options: { keepSeconds: 2 } }).stay([20, 5], 1).walk([20, 5], [140, 5], 20).stay([140, 5], 60);
+    assert.ok(visit.live.has('s0') && !visit.live.has('s1'), visit.liveIds.join());
+    assert.ok(!visit.stay([140, 5], 300).live.has('s0'), 'not for ever');
+});
+
+test('of what is far, what he looks at comes first, and what is large on the screen before what is small', () => {
+    const records = seeingFar(streetRecords());
+    for (const [heading, first] of [[Math.PI / 2, ['s4.far', 's5.far', 's0.far']], [-Math.PI / 2, ['s0.far', 's4.far', 's5.far']]]) {
+        const planner = new SectorPlanner('s2', { fixedLevel: 1, loadsInFlight: 99 }), asked = [];
+        for (const record of records) planner.addNeighbour(record);
+        planner.learn('s2', records[2]);
+        for (let i = 0; i < 10; ++i) asked.push(...planner.plan([100, 5], i / 60, { heading }).load);
+        assert.deepEqual(asked.filter(stem => first.includes(stem)), first);
+    }
+});
+
+test('i goes by measure: up where all is calm, and wakeAt tells when', () => {
+    const visit = new Visit({ options: { fixedLevel: null } }).stay([20, 5], 0.5);
+    assert.equal(visit.planner.i, 1);
+    const { wakeAt } = visit.frame([20, 5]);
+    assert.ok(wakeAt > visit.now && wakeAt < visit.now + 1.1, `${wakeAt - visit.now}`);
+    visit.stay([20, 5], 1.5);
+    assert.equal(visit.planner.i, 2);
+    assert.ok(visit.live.has('s2.far'));
 });

@@ -11,8 +11,19 @@ test('a shared address gives back its place to a centimetre and a degree', () =>
 });
 
 test('an address without a place, or with something else behind #, has no pose', () => {
-    assert.deepEqual(placeFromUrl('http://city.example/'), { start: '', pose: null });
-    for (const rest of ['#', '#top', '#1,2', '#1,2,x', '#1,2,3,4']) assert.equal(placeFromUrl(`http://city.example/${rest}`).pose, null, rest);
+    assert.deepEqual(placeFromUrl('http://city.example/'), { start: '', pose: null, level: null, isMeasured: false, test: '' });
+    for (const rest of ['#', '#top', '#1,2', '#1,2,x', '#1,2,3,x', '#1,2,3,4,5']) assert.equal(placeFromUrl(`http://city.example/${rest}`).pose, null, rest);
+});
+
+test('a shared address keeps how the visitor looks up, and i, chosen or measured', () => {
+    const pose = { east: 1, north: 2, heading: 0, pitch: 0.35 };
+    for (const isMeasured of [true, false]) {
+        const url = urlOfPlace('http://city.example/', 'r12', pose, { level: 2, isMeasured }), back = placeFromUrl(url);
+        assert.equal(new URL(url).searchParams.get('i'), isMeasured ? 'auto-2' : '2');
+        assert.deepEqual([back.level, back.isMeasured], [2, isMeasured]);
+        assert.ok(Math.abs(back.pose.pitch - 0.35) < 0.01);
+    }
+    for (const i of ['4', '-1', 'auto', 'x']) assert.equal(placeFromUrl(`http://city.example/?i=${i}`).level, null);
 });
 
 test('the root world is asked for by sector, whatever its name holds', () => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { SectorLoader } from '../../../../client_scripts/x3d/SectorLoader.js';
+import { SectorLoader } from '../../../../client_scripts/core/SectorLoader.js';
 import { VrmlSectors } from '../../../../client_scripts/x3d/VrmlSectors.js';
 import { FakeNode } from '../../../support/fakeScene.js';
 import { streetRecords } from '../../../support/streetRecords.js';

@@ -25,7 +25,7 @@ function bundle() {
 /** Runs the bundle as a browser does: sloppy code with the Script's fields in scope by name. */
 function runScript(fields) {
     const text = bundle();
-    const run = new Function('fields', `with (fields) { ${text}; return { initialize, set_position, prepareEvents }; }`);
+    const run = new Function('fields', `with (fields) { ${text}; return { initialize, set_position, set_orientation, prepareEvents }; }`);
     const script = run(fields);
     script.initialize();
     return script;
@@ -38,7 +38,7 @@ function rootWorld(start, records) {
     Object.assign(inline, { bboxCenter: { x: 0, y: 0, z: 0 }, bboxSize: { x: 40, y: 20, z: 10 } });
     const [east, north] = records.find(record => record.id === start).origin;
     const fields = {
-        start, base: 'sectors/', ids: [start], inlines: [inline], origins: [{ x: east, y: 0, z: -north }], sector_changed: '',
+        start, base: 'sectors/', level: '1', sector_test: 'polygon', level_changed: '', ids: [start], inlines: [inline], origins: [{ x: east, y: 0, z: -north }], sector_changed: '',
         world: new FakeNode('Group'), printed: [],
         Browser: { currentScene: { createNode: type => (type === 'Inline' ? new FakeInline(served) : new FakeNode(type)) } },
     };
@@ -96,6 +96,27 @@ test('the bundled Script shows far and tall files of what the record lists as vi
         ['s0.x3d', 's1.x3d', 's2.x3d', 's3.far.x3d', 's4.far.x3d', 's5.tall.x3d', 'yard.far.x3d']);
     const far = fields.world.children.find(place => place.children[0]?.url[0] === 'sectors/s4.far.x3d');
     assert.deepEqual([far.translation.x, far.translation.z], [180, -5]);
+});
+
+test('the bundled Script asks first for what lies ahead of the visitor', () => {
+    for (const [angle, first] of [[-Math.PI / 2, 's2'], [Math.PI / 2, 's0']]) {
+        const fields = rootWorld('s1', streetRecords()), script = runScript(fields);
+        script.set_orientation({ x: 0, y: 1, z: 0, angle });
+        script.set_position({ x: 60, y: 1.7, z: -5 });
+        frames(script, 2);
+        assert.deepEqual(shown(fields), [`sectors/${first}.x3d`, 'sectors/s1.x3d'].sort());
+    }
+});
+
+test('the bundled Script takes i and the sector test from its fields, and tells i', () => {
+    for (const [level, files] of [['0', ['s1']], ['2', ['s0', 's1', 's2', 's3.far', 'yard.far']]]) {
+        const fields = { ...rootWorld('s1', streetRecords()), level, sector_test: 'gate' }, script = runScript(fields);
+        script.set_position({ x: 60, y: 1.7, z: -5 });
+        frames(script, 20);
+        assert.equal(fields.level_changed, level);
+        assert.deepEqual(shown(fields).map(url => url.slice('sectors/'.length, -'.x3d'.length)), files);
+    }
+    assert.throws(() => runScript({ ...rootWorld('s2', streetRecords()), sector_test: 'sphere' }), /no sector test 'sphere'/);
 });
 
 test('the bundled Script follows the visitor and says so', () => {

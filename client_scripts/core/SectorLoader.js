@@ -1,10 +1,10 @@
-import { SectorPlanner } from '../core/SectorPlanner.js';
-import { idOf, levelOf } from '../core/sectorRecord.js';
+import { SectorPlanner } from './SectorPlanner.js';
+import { idOf, levelOf } from './sectorRecord.js';
 
 /**
  * The loop of paper 004 §5: watches the visitor, does what the planner says, hears what became of it.
  *
- * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem).
+ * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem), links(stem).
  * Fails   never: a sector that cannot be had is reported to `complain` and asked for again later.
  */
 export class SectorLoader {
@@ -15,10 +15,10 @@ export class SectorLoader {
         this.loading = new Set();
     }
 
-    /** One frame. `position` in plan metres or null, `now` in seconds. Returns the planner's plan. */
-    step(position, now) {
+    /** One frame. `position` in plan metres or null, `now` in seconds, `visitor` as in plan(). Returns the planner's plan. */
+    step(position, now, visitor) {
         for (const stem of [...this.loading]) this.collect(stem, now);
-        const plan = this.planner.plan(position, now);
+        const plan = this.planner.plan(position, now, visitor);
         for (const stem of plan.unload) {
             this.loading.delete(stem);
             this.sectors.hide(stem);
@@ -36,10 +36,17 @@ export class SectorLoader {
         this.loading.delete(stem);
         try {
             if (phase === 'failed') throw new Error(`sector ${stem} cannot be fetched`);
-            this.planner.arrived(stem, levelOf(stem) === 'near' ? this.sectors.record(stem) : null);
+            this.planner.arrived(stem, this.recordOf(stem));
         } catch (error) {
             this.complain(error.message);
             this.planner.failed(stem, now);
         }
+    }
+
+    /** A near file has its record; a far one may tell where it leads, a tall one nothing. */
+    recordOf(stem) {
+        const level = levelOf(stem);
+        if (level === 'near') return this.sectors.record(stem);
+        return level === 'far' ? this.sectors.links(stem) : null;
     }
 }

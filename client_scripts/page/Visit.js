@@ -1,0 +1,82 @@
+import { SectorFinder } from '../core/SectorFinder.js';
+import { SectorLoader } from '../core/SectorLoader.js';
+import { FetchedSectors } from './FetchedSectors.js';
+
+/** How much is asked for at a time, and how far around, by how fast the line is. */
+export const kLines = {
+    auto: { loadsInFlight: 3, limit: 2 },
+    slow: { loadsInFlight: 1, limit: 1 },
+    fast: { loadsInFlight: 6, limit: 3 },
+};
+
+/** Where the visitor is and what is there: the loader of core/, the files of the page. */
+export class Visit {
+    /** `world`: of fetchRootWorld; `settings`: { level: null or i, line, test }. */
+    constructor(stage, world, settings, complain) {
+        const { loadsInFlight, limit } = kLines[settings.line];
+        this.files = new FetchedSectors(stage, world.base);
+        this.loader = new SectorLoader(world.start, this.files, {
+            complain, loadsInFlight, limit, fixedLevel: settings.level, level: settings.startLevel ?? 1, test: settings.test });
+        const { start: id, origin: [east, north] } = world;
+        this.planner.addNeighbour({ id, origin: world.origin, box: [east - 1, north - 1, east + 1, north + 1] });
+        Object.assign(this, { current: world.start, level: this.planner.i, isJump: false, firstStreetAt: 0, failed: new Set() });
+        this.sectors = [];   // { stem, phase, record } of every file asked for
+    }
+
+    get planner() {
+        return this.loader.planner;
+    }
+
+    /** Records of the near sectors that are there. */
+    get records() {
+        return this.sectors.map(sector => sector.record).filter(Boolean);
+    }
+
+    /** The record of the sector the visitor is in, or undefined. */
+    get here() {
+        return this.records.find(record => record.id === this.current);
+    }
+
+    /** One frame: what is asked for, given up, put into the world. */
+    step(pose, now) {
+        const { waitSeconds } = this.files;
+        const plan = this.loader.step(pose && [pose.east, pose.north], now, {
+            heading: pose?.heading ?? null, isJump: this.isJump, waitSeconds, memoryShare: memoryShare() });
+        Object.assign(this, { current: plan.current, level: plan.level, isJump: false });
+        this.files.frame();
+        this.sectors = this.files.list();
+        if (!this.firstStreetAt && this.here) this.firstStreetAt = performance.now();
+        const isFailed = ({ stem, phase }) => phase === 'failed' || (phase === 'loading' && this.failed.has(stem));
+        this.failed = new Set(this.sectors.filter(isFailed).map(sector => sector.stem));
+        return plan;
+    }
+
+    /** Files that should be there and were not asked for yet. */
+    missing(pose) {
+        const point = [pose.east * 1000, pose.north * 1000];
+        return [...this.planner.wanted(point).keys()].filter(stem => !this.planner.states.has(stem));
+    }
+
+    /** The visitor is put to a place in a sector that need not be known yet. Fails   Error: there is no such sector. */
+    async learn(id) {
+        if (this.planner.sectors.get(id)?.ground) return this.planner.sectors.get(id);
+        const response = await fetch(`${this.files.base}${id}.json`);
+        if (!response.ok) throw new Error(`There is no sector ${id}.`);
+        this.planner.learn(id, await response.json());
+        return this.planner.sectors.get(id);
+    }
+
+    /** Applies settings that may change on the way. */
+    set({ level, line, test }) {
+        const { loadsInFlight, limit } = kLines[line];
+        if (test !== this.planner.finder.test) this.planner.finder = new SectorFinder(test);
+        this.planner.options.loadsInFlight = loadsInFlight;
+        this.planner.choice.set(level, limit);
+    }
+}
+
+/** Of what the browser allows its scripts; 0 where it does not tell. */
+function memoryShare() {
+    const { memory } = performance;
+    return memory ? memory.usedJSHeapSize / memory.jsHeapSizeLimit : 0;
+}
