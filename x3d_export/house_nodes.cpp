@@ -58,7 +58,7 @@ struct Piece {
 
 Node level_node(const LevelFaces& faces, const std::string& atlas) {
   Node group("Group");
-  if (!faces.solid.empty()) group.add(shape_of("", Surface::solid, faces.solid));
+  if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid));
   std::map<std::string, std::vector<TexturedFace>> by_image;
   for (const auto& [image, face] : faces.own_images) by_image[image].push_back(face);
   if (!faces.atlas.empty()) by_image[atlas] = faces.atlas;

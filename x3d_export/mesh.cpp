@@ -27,11 +27,11 @@ class Numbering {
   std::vector<T> items_;
 };
 
-Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
+Node appearance_of(Shading shading, Colour colour, bool is_coloured_by_face) {
   Node material("Material");
   // Browsers differ in what ambient light does with colours by face; three lights of the root world do without it.
   material.set("ambientIntensity", 0.0);
-  if (surface == Surface::backdrop)
+  if (shading == Shading::backdrop)
     material.set("diffuseColor", std::vector<double>{0, 0, 0}).set("emissiveColor", values_of(colour));
   else
     material.set("diffuseColor", is_coloured_by_face ? std::vector<double>{1, 1, 1} : values_of(colour));
@@ -142,7 +142,7 @@ Node textured_shape(const std::string& image, const std::string& url, std::span<
   return shape.add("geometry", std::move(geometry));
 }
 
-Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces) {
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces) {
   assert(!faces.empty());
   Numbering<X3dPoint> number_of_point;
   Numbering<Colour> number_of_colour;
@@ -160,7 +160,7 @@ Node shape_of(const std::string& def, Surface surface, std::span<const Face> fac
 
   const bool is_coloured_by_face = number_of_colour.items().size() > 1;
   Node geometry("IndexedFaceSet");
-  if (surface == Surface::two_sided) geometry.set("solid", false);
+  if (shading == Shading::two_sided) geometry.set("solid", false);
   geometry.set("coordIndex", std::move(coord_index));
   if (is_coloured_by_face) geometry.set("colorPerVertex", false).set("colorIndex", std::move(color_index));
   Node coordinate("Coordinate");
@@ -168,7 +168,7 @@ Node shape_of(const std::string& def, Surface surface, std::span<const Face> fac
   Node color("Color");
   if (is_coloured_by_face) geometry.add("color", color.set("color", std::move(colours)));
   Node shape("Shape", def);
-  shape.add("appearance", appearance_of(surface, faces.front().colour, is_coloured_by_face));
+  shape.add("appearance", appearance_of(shading, faces.front().colour, is_coloured_by_face));
   return shape.add("geometry", std::move(geometry));
 }
 

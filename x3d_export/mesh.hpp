@@ -24,7 +24,7 @@ struct TexturedFace {
   std::array<std::array<double, 2>, 4> uv;  ///< 0 ... 1 from the image's left and bottom; beyond it repeats
 };
 
-enum class Surface {
+enum class Shading {
   solid,      ///< lit, seen from outside only
   two_sided,  ///< lit, seen from both sides
   backdrop    ///< not lit, seen from its front only
@@ -33,7 +33,7 @@ enum class Surface {
 /// All faces of one material of a sector.
 struct Layer {
   std::string name;  ///< DEF of its Shape
-  Surface surface = Surface::solid;
+  Shading shading = Shading::solid;
   std::vector<Face> faces;
 };
 
@@ -62,7 +62,7 @@ class FaceList {
 
 /// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
 /// Needs   !faces.empty() (assert).
-Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces);
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces);
 
 /// A Shape under one image. Its Appearance's DEF is "IMAGE-" + `image`: equal ones in a file can be USEd.
 /// Needs   !faces.empty() (assert).

@@ -128,11 +128,11 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
     add_objects(objects, index, sector);
     add_backdrops(backdrops, index, sector);
   }
-  std::vector<Layer> layers{{"GROUND", Surface::solid, ground.take()},
-                            {"HOUSES", Surface::solid, houses.take()},
-                            {"BARRIERS", Surface::two_sided, barriers.take()},
-                            {"OBJECTS", Surface::solid, objects.take()},
-                            {"BACKDROP", Surface::backdrop, backdrops.take()}};
+  std::vector<Layer> layers{{"GROUND", Shading::solid, ground.take()},
+                            {"HOUSES", Shading::solid, houses.take()},
+                            {"BARRIERS", Shading::two_sided, barriers.take()},
+                            {"OBJECTS", Shading::solid, objects.take()},
+                            {"BACKDROP", Shading::backdrop, backdrops.take()}};
   std::erase_if(layers, [](const Layer& layer) { return layer.faces.empty(); });
   return layers;
 }

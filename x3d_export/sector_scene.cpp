@@ -83,7 +83,7 @@ std::vector<Node> shapes_of(const Layer& layer, SceneFormat format, std::size_t 
     for (std::size_t i = 0; i < count && fits; ++i) {
       const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
       if (faces.empty()) continue;
-      shapes.push_back(shape_of(layer.name, layer.surface, faces));
+      shapes.push_back(shape_of(layer.name, layer.shading, faces));
       fits = faces.size() == 1 || size_of({shapes.back()}, format) <= limit;
       if (!fits) count = std::max(count, std::min(n, size_of({shapes.back()}, format) * count / limit));
     }
