@@ -20,4 +20,30 @@ Colour ground_colour(SectorKind kind) {
   return {};
 }
 
+Colour surface_colour(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::pavement:
+      return {158, 155, 149};
+    case SurfaceKind::carriageway:
+      return {92, 93, 96};
+    case SurfaceKind::paving:
+      return {172, 162, 146};
+    case SurfaceKind::path:
+      return {186, 172, 142};
+    case SurfaceKind::grass:
+      return {106, 136, 74};
+    case SurfaceKind::earth:
+      return {150, 138, 112};
+    case SurfaceKind::water:
+      return {92, 124, 142};
+    case SurfaceKind::steps:
+      return {190, 184, 172};
+    case SurfaceKind::rail:
+      return {66, 68, 72};
+    case SurfaceKind::kerb:
+      return {184, 181, 174};
+  }
+  return {};
+}
+
 }  // namespace vicus

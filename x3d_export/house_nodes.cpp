@@ -66,10 +66,10 @@ Node level_node(const LevelFaces& faces, const std::string& atlas) {
   return group;
 }
 
-Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas, int finest) {
+Node lod_node(const Piece& piece, double ground_m, PlanPoint origin, const std::string& atlas, int finest) {
   const PlanPoint middle{piece.box.min.x + (piece.box.max.x - piece.box.min.x) / 2,
                          piece.box.min.y + (piece.box.max.y - piece.box.min.y) / 2};
-  const X3dPoint centre = x3d_from_plan(middle, height_mm(kCentre_m), origin);
+  const X3dPoint centre = x3d_from_plan(middle, height_mm(ground_m + kCentre_m), origin);
   Node lod("LOD");
   lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
   lod.set("range", std::vector<double>(std::begin(kLevelRanges_m) + (4 - finest), std::end(kLevelRanges_m)));
@@ -79,7 +79,7 @@ Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas, in
 
 /// Chimneys get at most half of the triangles that the windows of the first facade take in level 2.
 std::vector<Face> chimneys_of(const Share& share, const Facade& first, PlanPoint origin) {
-  FaceList chimneys(origin);
+  FaceList chimneys(origin, share.house->ground_m);
   if (share.has_body)
     add_chimneys(chimneys, *share.house, static_cast<int>(openings_of(first).size()) / kChimneyTriangles);
   return chimneys.take();
@@ -100,13 +100,14 @@ std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
       openings = 0;
     }
     openings += count;
-    add_facade(part, share.house->wall_colour, origin, taken, pieces.back().levels);
+    add_facade(part, share.house->wall_colour, share.house->ground_m, origin, taken, pieces.back().levels);
     pieces.back().box.add(part.a);
     pieces.back().box.add(part.b);
     taken = 0;
   }
-  FaceList plain(origin);
-  for (const auto& [a, b] : share.blind) plain.add_wall(a, b, 0, wall_top_m(*share.house), share.house->wall_colour);
+  FaceList plain(origin, share.house->ground_m);
+  for (const auto& [a, b] : share.blind) plain.add_wall(a, b, -share.house->foot_m, wall_top_m(*share.house), share.house->wall_colour);
+  for (const Facade& part : parts) plain.add_wall(part.a, part.b, -share.house->foot_m, part.bottom_m, share.house->wall_colour);
   if (share.has_body) add_body(plain, *share.house);
   const auto faces = plain.take();
   for (int level = 0; level < 4; ++level) {
@@ -140,7 +141,7 @@ std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, Scen
   for (const auto& [id, share] : shares)
     for (const Piece& piece : pieces_of(share, sector.origin))
       nodes.push_back(format == SceneFormat::vrml ? level_node(piece.levels[1], atlas)
-                                                  : lod_node(piece, sector.origin, atlas, finest));
+                                                  : lod_node(piece, share.house->ground_m, sector.origin, atlas, finest));
   return nodes;
 }
 

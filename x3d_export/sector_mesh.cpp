@@ -5,8 +5,10 @@
 #include <functional>
 
 #include "city_db/segment.hpp"
+#include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
 #include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
@@ -14,7 +16,8 @@ namespace vicus {
 namespace {
 
 constexpr double kParapet_m = 0.9;  // a bank's rail: one looks over it
-constexpr double kKerb_m = 0.15;    // an edge without a wall
+constexpr double kEdge_m = 0.15;    // an edge without a wall
+constexpr double kBuried_m = 0.5;   // of a wall on a slope
 constexpr double kFence_m = 1.5;    // where the map names no height
 constexpr double kBackdrop_m = 15;  // hides what is not there, as high as the houses of an old town
 
@@ -48,6 +51,21 @@ void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m,
   for (std::size_t i = 1; i < line.size(); ++i) faces.add_wall(line[i - 1], line[i], bottom_m, top_m, colour);
 }
 
+/// Walls on the ground; on a slope they go into it, so that nothing shows below them.
+void add_walls_on_ground(FaceList& faces, const GroundLevels& ground, const Line& line, double height_m, Colour colour) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::int32_t a = ground.at(line[i - 1]), b = ground.at(line[i]);
+    faces.add_sloped_wall(line[i - 1], line[i], a, b, a == b ? 0 : -kBuried_m, height_m, colour);
+  }
+}
+
+/// What the ground is made of; all of it one plain where the city has no surfaces.
+void add_surfaces(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  const auto& surfaces = index.surfaces_of(sector.id);
+  if (surfaces.empty()) faces.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+  for (const Surface* s : surfaces) faces.add_ground(s->points, s->triangles, surface_colour(s->kind));
+}
+
 /// Are a house's walls and roof drawn in these layers?
 using Drawn = std::function<bool(const std::string& house_id)>;
 
@@ -67,7 +85,8 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
     if (!house || house->base_m > 0 || !is_drawn(house->id)) continue;
-    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), 0, wall_top_m(*house),
+    faces.set_lift(house->ground_m);
+    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), -house->foot_m, wall_top_m(*house),
               house->wall_colour);
   }
 }
@@ -75,41 +94,48 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
 /// Roofs, side walls and undersides of the houses that this sector sends.
 void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, const Drawn& is_drawn) {
   for (const Building* house : index.buildings_of(sector.id))
-    if (is_drawn(house->id)) add_body(faces, *house);
+    if (is_drawn(house->id)) {
+      faces.set_lift(house->ground_m);
+      add_body(faces, *house);
+    }
 }
 
-void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector) {
+void add_barriers(FaceList& faces, const CityIndex& index, const GroundLevels& ground, const Sector& sector) {
   for (const Border* border : index.borders_of(sector.id)) {
     const double height_m = border->height_m > 0 ? border->height_m : kFence_m;
     switch (border->kind) {
       case BorderKind::facade:
         break;
       case BorderKind::wall:
-        add_walls(faces, border->line, 0, height_m, kWallColour);
+        add_walls_on_ground(faces, ground, border->line, height_m, kWallColour);
         break;
       case BorderKind::fence:
-        add_walls(faces, border->line, 0, height_m, kFenceColour);
+        add_walls_on_ground(faces, ground, border->line, height_m, kFenceColour);
         break;
       case BorderKind::bank:
-        add_walls(faces, border->line, 0, kParapet_m, kParapetColour);
+        add_walls_on_ground(faces, ground, border->line, kParapet_m, kParapetColour);
         break;
       case BorderKind::edge:
-        add_walls(faces, border->line, 0, kKerb_m, kParapetColour);
+        add_walls_on_ground(faces, ground, border->line, kEdge_m, kParapetColour);
         break;
     }
   }
 }
 
-void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector) {
-  for (const StandaloneObject* object : index.objects_of(sector.id))
-    for (const auto& s : spindles_of(*object))
+/// Objects beyond those that have a Shape of their own, and from afar the larger trees.
+void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+  const auto plain = detail == Detail::near ? plain_objects(index, sector) : far_objects(index, sector);
+  for (const StandaloneObject* object : plain) {
+    faces.set_lift(object->ground_m);
+    for (const auto& s : detail == Detail::near ? spindles_of(*object) : far_spindles_of(*object))
       faces.add_spindle(object->at, s.sides, s.radius_low_m, s.radius_high_m, s.low_m, s.high_m, s.colour);
+  }
 }
 
 /// Paper 004 §4.1.4: out of the city a gate is a solid face, an obstacle.
-void add_backdrops(FaceList& faces, const CityIndex& index, const Sector& sector) {
+void add_backdrops(FaceList& faces, const CityIndex& index, const GroundLevels& ground, const Sector& sector) {
   for (const Gate* gate : index.gates_of(sector.id))
-    if (gate->to_sector_id.empty()) add_walls(faces, gate->line, 0, kBackdrop_m, kSkyColour);
+    if (gate->to_sector_id.empty()) add_walls_on_ground(faces, ground, gate->line, kBackdrop_m, kSkyColour);
 }
 
 }  // namespace
@@ -119,14 +145,16 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
       backdrops(sector.origin);
   FaceList& floor = detail == Detail::far ? houses : ground;
   if (detail != Detail::tall)
-    floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+    add_surfaces(floor, index, sector);
   const Drawn is_drawn = drawn_at(detail, index, sector);
   add_facades(houses, index, sector, detail, is_drawn);
   add_houses(houses, index, sector, is_drawn);
+  if (detail == Detail::far) add_objects(houses, index, sector, detail);
   if (detail == Detail::near) {
-    add_barriers(barriers, index, sector);
-    add_objects(objects, index, sector);
-    add_backdrops(backdrops, index, sector);
+    const GroundLevels levels(index, sector);
+    add_barriers(barriers, index, levels, sector);
+    add_objects(objects, index, sector, detail);
+    add_backdrops(backdrops, index, levels, sector);
   }
   std::vector<Layer> layers{{"GROUND", Shading::solid, ground.take()},
                             {"HOUSES", Shading::solid, houses.take()},

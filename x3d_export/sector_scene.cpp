@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -91,11 +92,12 @@ std::vector<Node> shapes_of(const Layer& layer, SceneFormat format, std::size_t 
   }
 }
 
-/// Equal images are sent and held once in a file: the first Appearance of each is DEFined, the others USE it.
-void share_appearances(std::vector<Node>& nodes, std::set<std::string>& known) {
+/// Equal images and models are sent and held once in a file: the first Appearance or Shape of each is DEFined, the
+/// others USE it.
+void share_equals(std::vector<Node>& nodes, std::set<std::string>& known) {
   for (Node& node : nodes) {
-    if (node.type == "Appearance" && !node.def.empty() && !known.insert(node.def).second) node = use_of(node);
-    for (NodeField& field : node.nodes) share_appearances(field.nodes, known);
+    if ((node.type == "Appearance" || node.type == "Shape") && !node.def.empty() && !known.insert(node.def).second) node = use_of(node);
+    for (NodeField& field : node.nodes) share_equals(field.nodes, known);
   }
 }
 
@@ -108,11 +110,19 @@ std::vector<std::vector<Node>> packed(std::vector<Node> nodes, SceneFormat forma
                                       std::size_t limit) {
   std::vector<std::vector<Node>> files(1);
   std::size_t room = first;
+  std::set<std::string> known;  // what the file has already
+  const auto size_with = [&](const Node& node) {
+    std::vector<Node> copy{node};
+    share_equals(copy, known);
+    return size_of(copy, format);
+  };
   for (Node& node : nodes) {
-    const std::size_t size = size_of({node}, format);
+    std::size_t size = size_with(node);
     if (size > room) {
       files.emplace_back();
       room = limit;
+      known.clear();
+      size = size_with(node);
     }
     room -= std::min(room, size);
     files.back().push_back(std::move(node));
@@ -120,19 +130,44 @@ std::vector<std::vector<Node>> packed(std::vector<Node> nodes, SceneFormat forma
   return files;
 }
 
-std::vector<Node> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit) {
+void collect_defs(const std::vector<Node>& nodes, std::set<std::string>& defs) {
+  for (const Node& node : nodes) {
+    if (!node.def.empty()) defs.insert(node.def);
+    for (const NodeField& field : node.nodes) collect_defs(field.nodes, defs);
+  }
+}
+
+/// Those that join nodes of this list.
+std::vector<Route> routes_within(const std::vector<Route>& routes, const std::vector<Node>& nodes) {
+  std::vector<Route> out;
+  if (routes.empty()) return out;
+  std::set<std::string> defs;
+  collect_defs(nodes, defs);
+  for (const Route& r : routes)
+    if (defs.contains(r.from_node) && defs.contains(r.to_node)) out.push_back(r);
+  return out;
+}
+
+std::vector<Node> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit,
+                             std::vector<Route>& routes) {
   std::vector<Node> nodes;
   for (const Layer& layer : layers)
     for (Node& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)
     for (Node& house : house_nodes(parts.index, parts.sector, parts.format)) nodes.push_back(std::move(house));
+  if (parts.detail == Detail::near) {
+    auto objects = object_nodes(parts.index, parts.sector, parts.format);
+    std::move(objects.nodes.begin(), objects.nodes.end(), std::back_inserter(nodes));
+    routes = std::move(objects.routes);
+  }
   return nodes;
 }
 
-Scene main_scene(const SectorParts& parts, std::vector<Node> content, int shapes) {
+Scene main_scene(const SectorParts& parts, std::vector<Node> content, int shapes, const std::vector<Route>& routes) {
   Scene scene = empty_scene(parts, 0);
+  scene.routes = routes_within(routes, content);
   std::set<std::string> known;
-  share_appearances(content, known);
+  share_equals(content, known);
   add_content(scene, parts, std::move(content), shapes);
   return scene;
 }
@@ -148,7 +183,7 @@ std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& s
 }
 
 Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& place) {
-  const X3dPoint p = x3d_from_plan(v.at, height_mm(v.eye_m), origin);
+  const X3dPoint p = x3d_from_plan(v.at, height_mm(v.ground_m + v.eye_m), origin);
   Node node("Viewpoint");
   node.set("description", FieldValue(caption_of(v.name.empty() ? place : v.name)));
   node.set("position", std::vector<double>{metres(p.x), metres(p.y), metres(p.z)});
@@ -161,13 +196,15 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
   const SectorParts parts{index, sector, detail, format};
   const auto layers = sector_layers(index, sector, detail);
   if (detail == Detail::tall && layers.empty()) return {};
-  const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes), format).size();
+  const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes, {}), format).size();
   const std::size_t frame = write_scene(empty_scene(parts, kMostParts), format).size();
+  constexpr std::size_t kRoute = 90;    // a ROUTE
   constexpr std::size_t kInline = 120;  // an Inline that draws a part in, with a long name
   const std::size_t room = limit - std::min(limit / 2, frame);
-  std::vector<Node> nodes = content_of(parts, layers, room);
+  std::vector<Route> routes;
+  std::vector<Node> nodes = content_of(parts, layers, room, routes);
   const int shapes = count_all_shapes(nodes);
-  const std::size_t inlines = kInline * (size_of(nodes, format) / room + 2);
+  const std::size_t inlines = kRoute * routes.size() + kInline * (size_of(nodes, format) / room + 2);
   std::vector<std::vector<Node>> files =
       packed(std::move(nodes), format, limit - std::min(limit, head + inlines), room);
 
@@ -179,13 +216,14 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
     content.push_back(inline_node.set("url", std::vector<std::string>{file_name(parts, part)}));
     Scene scene = empty_scene(parts, part);
     scene.nodes = std::move(files[i]);
+    scene.routes = routes_within(routes, scene.nodes);
     const int own = count_all_shapes(scene.nodes);
     std::set<std::string> known;
-    share_appearances(scene.nodes, known);
+    share_equals(scene.nodes, known);
     out.push_back({"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own});
   }
   const int own = count_all_shapes(content);
-  const Scene scene = main_scene(parts, std::move(content), shapes);
+  const Scene scene = main_scene(parts, std::move(content), shapes, routes);
   out.front() = {"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own};
   return out;
 }
