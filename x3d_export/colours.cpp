@@ -23,25 +23,25 @@ Colour ground_colour(SectorKind kind) {
 Colour surface_colour(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::pavement:
-      return {158, 155, 149};
+      return {188, 184, 176};
     case SurfaceKind::carriageway:
-      return {92, 93, 96};
+      return {120, 121, 124};
     case SurfaceKind::paving:
-      return {172, 162, 146};
+      return {202, 190, 170};
     case SurfaceKind::path:
-      return {186, 172, 142};
+      return {214, 200, 168};
     case SurfaceKind::grass:
-      return {106, 136, 74};
+      return {124, 156, 84};
     case SurfaceKind::earth:
-      return {150, 138, 112};
+      return {178, 164, 134};
     case SurfaceKind::water:
-      return {92, 124, 142};
+      return {104, 142, 164};
     case SurfaceKind::steps:
-      return {190, 184, 172};
+      return {222, 214, 198};
     case SurfaceKind::rail:
-      return {66, 68, 72};
+      return {78, 80, 84};
     case SurfaceKind::kerb:
-      return {184, 181, 174};
+      return {212, 208, 198};
   }
   return {};
 }

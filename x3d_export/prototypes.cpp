@@ -88,11 +88,11 @@ TreeForm form_of(const StandaloneObject& tree) {
 
 /// 8 m high; three looks of the round form.
 ObjectModel tree_model(const StandaloneObject& object) {
-  constexpr Colour kLeaves[] = {{82, 116, 54}, {98, 126, 60}, {72, 102, 56}};
+  constexpr Colour kLeaves[] = {{112, 152, 70}, {130, 166, 80}, {98, 138, 72}};
   ModelMaker m;
   const TreeForm form = form_of(object);
   if (form == TreeForm::conifer) {
-    constexpr Colour kNeedles{54, 86, 58};
+    constexpr Colour kNeedles{78, 116, 80};
     m.spindle(0, 0, 5, 0.16, 0.12, 0, 1.4, kTrunk);
     for (int i = 0; i < 3; ++i) {
       const double low = 1.1 + 1.9 * i, r = 1.9 - 0.5 * i;
@@ -103,8 +103,8 @@ ObjectModel tree_model(const StandaloneObject& object) {
   }
   if (form == TreeForm::slim) {
     m.spindle(0, 0, 5, 0.15, 0.12, 0, 1.2, kTrunk);
-    m.leaves(0, 0, 3.0, 0.9, 2.6, {72, 104, 58}, 0x9E3779B97F4A7C15u);
-    m.leaves(0.05, 0, 5.4, 0.7, 2.6, {80, 112, 62}, 0xC2B2AE3D27D4EB4Fu);
+    m.leaves(0, 0, 3.0, 0.9, 2.6, {98, 138, 76}, 0x9E3779B97F4A7C15u);
+    m.leaves(0.05, 0, 5.4, 0.7, 2.6, {106, 146, 82}, 0xC2B2AE3D27D4EB4Fu);
     return {"TREE-SLIM", m.faces, 8, 1.9, true};
   }
   const std::uint64_t look = steady_hash(object.id) % std::size(kLeaves);

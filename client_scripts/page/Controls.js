@@ -4,12 +4,14 @@ const kWalkKeys = {
     KeyQ: { turn: -1 }, ArrowLeft: { turn: -1 }, KeyE: { turn: 1 }, ArrowRight: { turn: 1 },
 };
 const kLookPerPixel = 0.005;      // rad
+/** A press that ends so near and so soon is a tap: on a lamp, on a sign. */
+const kTapPixels = 6, kTapMilliseconds = 500;
 const kStickReach = 56;           // CSS pixels from the centre to full speed
 
 /**
  * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
  *
- * Mouse: a drag looks round. Touch: the left half is a stick that walks, the right half looks.
+ * Mouse: a drag looks round, a click calls `commands.tap` with its event. Touch: the left half is a stick that walks, the right half looks.
  * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
  */
 export class Controls {
@@ -67,7 +69,7 @@ export class Controls {
         if (event.pointerType === 'mouse' && event.button !== 0) return;
         const walks = event.pointerType === 'touch' && event.clientX < innerWidth / 2;
         const [x, y] = [event.clientX, event.clientY];
-        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y };
+        const drag = { role: walks ? 'walk' : 'look', x0: x, y0: y, x, y, at: event.timeStamp };
         this.drags.set(event.pointerId, drag);
         this.surface.setPointerCapture?.(event.pointerId);
         this.surface.focus();
@@ -91,6 +93,7 @@ export class Controls {
         this.drags.delete(event.pointerId);
         this.surface.classList.remove('dragging');
         if (drag?.role === 'walk') this.showStick(null);
+        if (drag && event.type === 'pointerup' && isTap(drag, event)) this.commands.tap?.(event);
     }
 
     showStick(drag) {
@@ -101,6 +104,10 @@ export class Controls {
         const [x, y] = [clamp((drag.x - drag.x0) / kStickReach), clamp((drag.y - drag.y0) / kStickReach)];
         this.stick.firstElementChild.style.transform = `translate(${x * 34}px, ${y * 34}px)`;
     }
+}
+
+function isTap(drag, event) {
+    return Math.hypot(event.clientX - drag.x0, event.clientY - drag.y0) < kTapPixels && event.timeStamp - drag.at < kTapMilliseconds;
 }
 
 function clamp(value) {

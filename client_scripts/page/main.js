@@ -71,6 +71,7 @@ function showFailures() {
 
 function commandsFor(view) {
     return {
+        tap: event => view.tap(event),
         KeyH: () => hud.toggleHelp(),
         Slash: () => hud.toggleHelp(),
         Escape: () => hud.toggleHelp(false),

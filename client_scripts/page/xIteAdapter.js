@@ -84,6 +84,14 @@ export class XIteAdapter {
         view.setUserOrientation(new SFRotation(...axisAngle(heading, pitch)).getValue());
     }
 
+    /** What a click does where the pointer is: a lamp's TouchSensor, a sign's Anchor. True when something was there. */
+    tap(event) {
+        const { x, y } = this.browser.getPointerFromEvent(event);
+        if (!this.browser.buttonPressEvent(x, y)) return false;
+        this.browser.buttonReleaseEvent();
+        return true;
+    }
+
     /** Pixels drawn per CSS pixel. */
     setContentScale(scale) {
         this.browser.setBrowserOption('ContentScale', scale);
@@ -104,9 +112,22 @@ export class XIteAdapter {
 
 function readOrNull(scene) {
     try {
-        return recordFromMetadata(scene.getNamedNode('RECORD'));
+        const record = recordFromMetadata(scene.getNamedNode('RECORD'));
+        record.surface = surfaceOf(scene, record.origin);
+        return record;
     } catch {
         return null;   // the LOADER says so and asks again
+    }
+}
+
+/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
+function surfaceOf(scene, [east, north]) {
+    try {
+        const { coord, coordIndex } = scene.getNamedNode('GROUND').geometry;
+        const points = Array.from(coord.point, p => [1000 * (east + p.x), 1000 * (north - p.z), 1000 * p.y]);
+        return { points, triangles: Array.from(coordIndex).filter(index => index >= 0) };
+    } catch {
+        return null;   // a sector without ground of its own
     }
 }
 

@@ -185,7 +185,7 @@ class Patches {
   Polygons carriageway(const PlanBox& box) const {
     const auto roads = strokes(roads_, box);
     if (roads.empty()) return {};
-    Polygons area = offset(offset(stroke_outlines(roads, Cap::round), kKerbRadius_m, true), -kKerbRadius_m, false);
+    Polygons area = offset(offset(stroke_outlines(roads, Cap::round), kKerbRadius_m, false), -kKerbRadius_m, true);
     area = subtract(area, margins(box));
     return offset(offset(area, -kLeastCarriageway_m / 2, false), kLeastCarriageway_m / 2, false);
   }

@@ -16,7 +16,7 @@ struct Patch {
   bool is_tread = false;  ///< one step of a flight of steps: level in itself
 };
 
-inline constexpr SurfaceKind kCoverOrder[] = {SurfaceKind::rail,  SurfaceKind::steps, SurfaceKind::carriageway,
+inline constexpr SurfaceKind kCoverOrder[] = {SurfaceKind::rail,  SurfaceKind::carriageway, SurfaceKind::steps,
                                               SurfaceKind::path,  SurfaceKind::paving, SurfaceKind::earth,
                                               SurfaceKind::grass};
 

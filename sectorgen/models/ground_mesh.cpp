@@ -145,8 +145,8 @@ class Builder {
         cell.kind = kind;
         break;
       }
-    cell.is_sunk = has(SurfaceKind::carriageway) && cell.kind != SurfaceKind::steps;
-    if (c.treads > 0) cell.tread = static_cast<std::uint32_t>(c.tread_sum / c.treads);
+    cell.is_sunk = has(SurfaceKind::carriageway);
+    if (cell.kind == SurfaceKind::steps && c.treads > 0) cell.tread = static_cast<std::uint32_t>(c.tread_sum / c.treads);
     return cell;
   }
 
