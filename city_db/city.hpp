@@ -217,15 +217,15 @@ struct Ride {
 struct Prototype {
   std::string kind;
   std::vector<GroundPoint> points;
-  Triangles triangles;  ///< counter-clockwise from outside
+  Triangles triangles;          ///< counter-clockwise from outside
   std::vector<Colour> colours;  ///< one each triangle
 };
 
 struct Viewpoint {
   std::string id, sector_id, kind, name;  ///< kind: start, gate, square
   PlanPoint at;
-  double ground_m = 0;  ///< of the ground there, above the plan frame's 0
-  double eye_m = 1.7;   ///< above ground_m
+  double ground_m = 0;     ///< of the ground there, above the plan frame's 0
+  double eye_m = 1.7;      ///< above ground_m
   double heading_deg = 0;  ///< clockwise from north
 };
 

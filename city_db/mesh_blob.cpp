@@ -28,7 +28,8 @@ std::string encode_mesh(const std::vector<GroundPoint>& points, const Triangles&
     for (const std::int32_t v : {p.at.x, p.at.y, p.up_mm}) append_i32(out, v);
   append_list(out, triangles);
   append_u32(out, static_cast<std::uint32_t>(colours.size()));
-  for (const auto& c : colours) append_u32(out, std::uint32_t{c.r} | std::uint32_t{c.g} << 8 | std::uint32_t{c.b} << 16);
+  for (const auto& c : colours)
+    append_u32(out, std::uint32_t{c.r} | std::uint32_t{c.g} << 8 | std::uint32_t{c.b} << 16);
   return out;
 }
 
@@ -57,8 +58,8 @@ std::string encode_ride(const std::vector<RidePoint>& points) {
   std::string out;
   append_u32(out, static_cast<std::uint32_t>(points.size()));
   for (const auto& p : points)
-    for (const std::int32_t v : {p.at.x, p.at.y, lattice_mm(p.ground_m),
-                                 static_cast<std::int32_t>(std::lround(p.time_s * kTicksPerSecond))})
+    for (const std::int32_t v :
+         {p.at.x, p.at.y, lattice_mm(p.ground_m), static_cast<std::int32_t>(std::lround(p.time_s * kTicksPerSecond))})
       append_i32(out, v);
   return out;
 }

@@ -45,10 +45,11 @@ constexpr Names<FacadeStyle> kFacadeStyles = {{FacadeStyle::plaster, "plaster"},
                                               {FacadeStyle::brick, "brick"},     {FacadeStyle::modern, "modern"},
                                               {FacadeStyle::church, "church"},   {FacadeStyle::shed, "shed"}};
 constexpr Names<SurfaceKind> kSurfaceKinds = {
-    {SurfaceKind::pavement, "pavement"}, {SurfaceKind::carriageway, "carriageway"}, {SurfaceKind::paving, "paving"},
-    {SurfaceKind::path, "path"},         {SurfaceKind::grass, "grass"},             {SurfaceKind::earth, "earth"},
-    {SurfaceKind::water, "water"},       {SurfaceKind::steps, "steps"},             {SurfaceKind::rail, "rail"},
-    {SurfaceKind::kerb, "kerb"}};
+    {SurfaceKind::pavement, "pavement"}, {SurfaceKind::carriageway, "carriageway"},
+    {SurfaceKind::paving, "paving"},     {SurfaceKind::path, "path"},
+    {SurfaceKind::grass, "grass"},       {SurfaceKind::earth, "earth"},
+    {SurfaceKind::water, "water"},       {SurfaceKind::steps, "steps"},
+    {SurfaceKind::rail, "rail"},         {SurfaceKind::kerb, "kerb"}};
 constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
                                           {IssueCode::outside_limits, "outside_limits"},
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},

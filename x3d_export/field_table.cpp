@@ -78,12 +78,7 @@ const std::vector<NodeSpec>& node_specs() {
         {"speed", sf_float},
         {"type", mf_string},
         {"visibilityLimit", sf_float}}},
-      {"OrientationInterpolator",
-       "Interpolation",
-       2,
-       "children",
-       true,
-       {{"key", mf_float}, {"keyValue", mf_rotation}}},
+      {"OrientationInterpolator", "Interpolation", 2, "children", true, {{"key", mf_float}, {"keyValue", mf_rotation}}},
       {"PositionInterpolator", "Interpolation", 2, "children", true, {{"key", mf_float}, {"keyValue", mf_vec3f}}},
       {"ProximitySensor", "EnvironmentalSensor", 1, "children", true, {{"center", sf_vec3f}, {"size", sf_vec3f}}},
       {"Script", "Scripting", 1, "children", true, {{"directOutput", sf_bool}, {"url", mf_string}}},
@@ -126,12 +121,12 @@ struct TypeSpec {
 
 // Colours come from 8 bits: 3 decimals give them back. Coordinates come from the lattice: millimetres.
 constexpr TypeSpec kTypes[] = {
-    {sf_bool, "SFBool", 1, 0},   {sf_string, "SFString", 1, 0}, {mf_string, "MFString", 1, 0},
-    {sf_float, "SFFloat", 1, 6}, {sf_vec3f, "SFVec3f", 3, 3},   {sf_rotation, "SFRotation", 4, 6},
-    {sf_color, "SFColor", 3, 3}, {mf_float, "MFFloat", 1, 6},   {mf_double, "MFDouble", 1, 3},
-    {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4}, {mf_vec3f, "MFVec3f", 3, 3},   {mf_vec3d, "MFVec3d", 3, 3},
-    {mf_color, "MFColor", 3, 3}, {mf_int32, "MFInt32", 1, 0},   {sf_node, "SFNode", 1, 0},
-    {mf_node, "MFNode", 1, 0}};
+    {sf_bool, "SFBool", 1, 0},         {sf_string, "SFString", 1, 0}, {mf_string, "MFString", 1, 0},
+    {sf_float, "SFFloat", 1, 6},       {sf_vec3f, "SFVec3f", 3, 3},   {sf_rotation, "SFRotation", 4, 6},
+    {sf_color, "SFColor", 3, 3},       {mf_float, "MFFloat", 1, 6},   {mf_double, "MFDouble", 1, 3},
+    {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},   {mf_vec3f, "MFVec3f", 3, 3},
+    {mf_vec3d, "MFVec3d", 3, 3},       {mf_color, "MFColor", 3, 3},   {mf_int32, "MFInt32", 1, 0},
+    {sf_node, "SFNode", 1, 0},         {mf_node, "MFNode", 1, 0}};
 
 const TypeSpec& type_spec(FieldType type) {
   return *std::find_if(std::begin(kTypes), std::end(kTypes), [type](const TypeSpec& t) { return t.type == type; });

@@ -106,8 +106,10 @@ std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
     taken = 0;
   }
   FaceList plain(origin, share.house->ground_m);
-  for (const auto& [a, b] : share.blind) plain.add_wall(a, b, -share.house->foot_m, wall_top_m(*share.house), share.house->wall_colour);
-  for (const Facade& part : parts) plain.add_wall(part.a, part.b, -share.house->foot_m, part.bottom_m, share.house->wall_colour);
+  for (const auto& [a, b] : share.blind)
+    plain.add_wall(a, b, -share.house->foot_m, wall_top_m(*share.house), share.house->wall_colour);
+  for (const Facade& part : parts)
+    plain.add_wall(part.a, part.b, -share.house->foot_m, part.bottom_m, share.house->wall_colour);
   if (share.has_body) add_body(plain, *share.house);
   const auto faces = plain.take();
   for (int level = 0; level < 4; ++level) {
@@ -140,8 +142,9 @@ std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, Scen
   const int finest = finest_level(index, sector);
   for (const auto& [id, share] : shares)
     for (const Piece& piece : pieces_of(share, sector.origin))
-      nodes.push_back(format == SceneFormat::vrml ? level_node(piece.levels[1], atlas)
-                                                  : lod_node(piece, share.house->ground_m, sector.origin, atlas, finest));
+      nodes.push_back(format == SceneFormat::vrml
+                          ? level_node(piece.levels[1], atlas)
+                          : lod_node(piece, share.house->ground_m, sector.origin, atlas, finest));
   return nodes;
 }
 

@@ -10,10 +10,10 @@
 namespace vicus {
 namespace {
 
-constexpr double kCrease = 2.6;                                  // rad: leaves are shaded as one ball
+constexpr double kCrease = 2.6;                                    // rad: leaves are shaded as one ball
 constexpr double kNear_m = 90, kNearTram_m = 300, kHeight_m = 60;  // boxes in which things move
-constexpr double kJets_m = 1.64;                                 // where a fountain's water rises, as modelled
-constexpr double kHidden_m = -60;  // a tram that is in another sector stands below the ground
+constexpr double kJets_m = 1.64;                                   // where a fountain's water rises, as modelled
+constexpr double kHidden_m = -60;     // a tram that is in another sector stands below the ground
 constexpr std::size_t kGroupOf = 40;  // instances in one node: small enough to pack files well
 
 Node model_shape(const ObjectModel& model) {

@@ -4,8 +4,8 @@
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/writers.hpp"
 
-/// What stands in a near sector file (paper 004 §4.1.5): static (one Shape of a model, USEd by every instance), animated
-/// (fountains, trams), interactive (street lamps), sensitive (signs, in Anchors).
+/// What stands in a near sector file (paper 004 §4.1.5): static (one Shape of a model, USEd by every instance),
+/// animated (fountains, trams), interactive (street lamps), sensitive (signs, in Anchors).
 namespace vicus {
 
 /// More instances would cost the browser more than their triangles: the others come as prisms in one Shape.

@@ -42,7 +42,8 @@ class ModelMaker {
       return 0.88 + 0.24 * static_cast<double>((seed >> ((ring * 7 + (i % kSides) * 5) % 48)) % 16) / 15;
     };
     const auto at = [&](int ring, int i) {
-      const double turn = 2 * std::numbers::pi * (i + 0.5 * ring) / kSides, k = uneven(ring, i) * (ring == 0 ? 0.86 : 0.8);
+      const double turn = 2 * std::numbers::pi * (i + 0.5 * ring) / kSides,
+                   k = uneven(ring, i) * (ring == 0 ? 0.86 : 0.8);
       return Point{x + r * k * std::cos(turn), y + r * k * std::sin(turn), z + tall * (ring == 0 ? -0.22 : 0.42)};
     };
     const Point bottom{x, y, z - 0.75 * tall}, top{x, y, z + tall};
@@ -81,7 +82,8 @@ enum class TreeForm { round, slim, conifer };
 TreeForm form_of(const StandaloneObject& tree) {
   for (const char* key : {"species", "genus", "taxon"}) {
     if (contains_tag(tree, key, {"italica", "Italica", "Cupressus", "fastigiata", "Fastigiata"})) return TreeForm::slim;
-    if (contains_tag(tree, key, {"Picea", "Abies", "Larix", "Pseudotsuga", "Cedrus", "Pinus"})) return TreeForm::conifer;
+    if (contains_tag(tree, key, {"Picea", "Abies", "Larix", "Pseudotsuga", "Cedrus", "Pinus"}))
+      return TreeForm::conifer;
   }
   return contains_tag(tree, "leaf_type", {"needleleaved"}) ? TreeForm::conifer : TreeForm::round;
 }

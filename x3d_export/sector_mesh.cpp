@@ -52,7 +52,8 @@ void add_walls(FaceList& faces, const Line& line, double bottom_m, double top_m,
 }
 
 /// Walls on the ground; on a slope they go into it, so that nothing shows below them.
-void add_walls_on_ground(FaceList& faces, const GroundLevels& ground, const Line& line, double height_m, Colour colour) {
+void add_walls_on_ground(FaceList& faces, const GroundLevels& ground, const Line& line, double height_m,
+                         Colour colour) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const std::int32_t a = ground.at(line[i - 1]), b = ground.at(line[i]);
     faces.add_sloped_wall(line[i - 1], line[i], a, b, a == b ? 0 : -kBuried_m, height_m, colour);
@@ -86,8 +87,8 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
     // A house over a passage sends all its walls itself.
     if (!house || house->base_m > 0 || !is_drawn(house->id)) continue;
     faces.set_lift(house->ground_m);
-    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), -house->foot_m, wall_top_m(*house),
-              house->wall_colour);
+    add_walls(faces, detail == Detail::near ? border->line : simplified(border->line), -house->foot_m,
+              wall_top_m(*house), house->wall_colour);
   }
 }
 
@@ -144,8 +145,7 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
   FaceList ground(sector.origin), houses(sector.origin), barriers(sector.origin), objects(sector.origin),
       backdrops(sector.origin);
   FaceList& floor = detail == Detail::far ? houses : ground;
-  if (detail != Detail::tall)
-    add_surfaces(floor, index, sector);
+  if (detail != Detail::tall) add_surfaces(floor, index, sector);
   const Drawn is_drawn = drawn_at(detail, index, sector);
   add_facades(houses, index, sector, detail, is_drawn);
   add_houses(houses, index, sector, is_drawn);

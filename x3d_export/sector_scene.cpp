@@ -96,7 +96,8 @@ std::vector<Node> shapes_of(const Layer& layer, SceneFormat format, std::size_t 
 /// others USE it.
 void share_equals(std::vector<Node>& nodes, std::set<std::string>& known) {
   for (Node& node : nodes) {
-    if ((node.type == "Appearance" || node.type == "Shape") && !node.def.empty() && !known.insert(node.def).second) node = use_of(node);
+    if ((node.type == "Appearance" || node.type == "Shape") && !node.def.empty() && !known.insert(node.def).second)
+      node = use_of(node);
     for (NodeField& field : node.nodes) share_equals(field.nodes, known);
   }
 }

@@ -10,8 +10,8 @@
 namespace vicus {
 namespace {
 
-constexpr double kUnit_m = 0.05;    // of a letter's grid: letters are 0.3 m high
-constexpr int kAdvance = 6;         // of a letter, in units
+constexpr double kUnit_m = 0.05;  // of a letter's grid: letters are 0.3 m high
+constexpr int kAdvance = 6;       // of a letter, in units
 constexpr double kStroke_m = 0.045;
 constexpr double kBoard_m = 0.5, kMargin_m = 0.18, kDepth_m = 0.07, kProud_m = 0.012;
 constexpr std::size_t kMostLetters = 22;
@@ -19,8 +19,10 @@ constexpr std::size_t kMostLetters = 22;
 struct BoardColours {
   Colour board, letters;
 };
-constexpr BoardColours kBoards[] = {{{46, 66, 58}, {236, 226, 196}}, {{122, 38, 36}, {244, 234, 214}},
-                                    {{38, 54, 82}, {238, 238, 230}}, {{64, 52, 44}, {232, 206, 140}},
+constexpr BoardColours kBoards[] = {{{46, 66, 58}, {236, 226, 196}},
+                                    {{122, 38, 36}, {244, 234, 214}},
+                                    {{38, 54, 82}, {238, 238, 230}},
+                                    {{64, 52, 44}, {232, 206, 140}},
                                     {{232, 226, 210}, {58, 46, 40}}};
 
 /// Places on a sign: x to the right seen from before it, z upwards, out towards the viewer; metres.

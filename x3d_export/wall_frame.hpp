@@ -24,7 +24,7 @@ class WallFrame {
   PlanPoint plan(double x, double out) const {
     return {left_.x + lattice_mm(ux_ * x + uy_ * out), left_.y + lattice_mm(uy_ * x - ux_ * out)};
   }
-  X3dPoint at(double x, double z, double out) const { 
+  X3dPoint at(double x, double z, double out) const {
     return x3d_from_plan(plan(x, out), ground_mm_ + height_mm(z), origin_);
   }
 

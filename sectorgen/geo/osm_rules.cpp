@@ -31,10 +31,11 @@ constexpr std::array kTypicalWidths = {
 };
 /// From kerb to kerb; kinds that are not here have no kerbs.
 constexpr std::array kTypicalCarriageways = {
-    KindWidth{"motorway", 16},     KindWidth{"trunk", 13},      KindWidth{"primary", 11},     KindWidth{"secondary", 9},
-    KindWidth{"tertiary", 7},      KindWidth{"motorway_link", 6}, KindWidth{"trunk_link", 6}, KindWidth{"primary_link", 5},
-    KindWidth{"secondary_link", 5}, KindWidth{"tertiary_link", 5}, KindWidth{"unclassified", 5.5},
-    KindWidth{"residential", 5.5}, KindWidth{"road", 5.5},      KindWidth{"busway", 6.5},     KindWidth{"unknown", 5.5},
+    KindWidth{"motorway", 16},     KindWidth{"trunk", 13},         KindWidth{"primary", 11},
+    KindWidth{"secondary", 9},     KindWidth{"tertiary", 7},       KindWidth{"motorway_link", 6},
+    KindWidth{"trunk_link", 6},    KindWidth{"primary_link", 5},   KindWidth{"secondary_link", 5},
+    KindWidth{"tertiary_link", 5}, KindWidth{"unclassified", 5.5}, KindWidth{"residential", 5.5},
+    KindWidth{"road", 5.5},        KindWidth{"busway", 6.5},       KindWidth{"unknown", 5.5},
     KindWidth{"service", 3},
 };
 constexpr double kUnknownWidthM = 8;
@@ -109,16 +110,15 @@ bool is_square(const Tags& tags) {
 }
 
 std::optional<SurfaceKind> cover_of(const Tags& tags) {
-  static const Words greens = {"grass",  "meadow",          "forest",   "village_green", "recreation_ground",
-                               "orchard", "plant_nursery",  "cemetery", "grassland",     "scrub",
-                               "wood",   "heath",           "shrubbery", "allotments",   "flowerbed"};
+  static const Words greens = {"grass",   "meadow",        "forest",    "village_green", "recreation_ground",
+                               "orchard", "plant_nursery", "cemetery",  "grassland",     "scrub",
+                               "wood",    "heath",         "shrubbery", "allotments",    "flowerbed"};
   static const Words earths = {"playground", "dog_park", "sand", "beach", "brownfield", "construction"};
   for (const char* key : {"landuse", "natural", "leisure"}) {
     if (greens.count(tag(tags, key))) return SurfaceKind::grass;
     if (earths.count(tag(tags, key))) return SurfaceKind::earth;
   }
-  if (tag(tags, "leisure") == "pitch")
-    return tag(tags, "surface") == "grass" ? SurfaceKind::grass : SurfaceKind::earth;
+  if (tag(tags, "leisure") == "pitch") return tag(tags, "surface") == "grass" ? SurfaceKind::grass : SurfaceKind::earth;
   if (tag(tags, "amenity") == "parking" && (tag(tags, "parking").empty() || tag(tags, "parking") == "surface"))
     return SurfaceKind::carriageway;
   return std::nullopt;

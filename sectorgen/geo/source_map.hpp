@@ -27,9 +27,9 @@ struct Footprint {
 /// A centre line that makes the ground walkable: street, square's path, passage, steps.
 struct Axis {
   std::string source_id, name;
-  std::string kind;         ///< highway value; "unknown" where the source names none
-  double width_m = 0;       ///< carriageway and pavements as tagged, or typical for the kind; > 0
-  bool is_passage = false;  ///< tunnel=building_passage (or covered)
+  std::string kind;          ///< highway value; "unknown" where the source names none
+  double width_m = 0;        ///< carriageway and pavements as tagged, or typical for the kind; > 0
+  bool is_passage = false;   ///< tunnel=building_passage (or covered)
   double carriageway_m = 0;  ///< from kerb to kerb; 0: walkers and vehicles share the ground
   bool is_bridge = false, is_steps = false;
   int level = 0;  ///< layer, or 1 for a bridge without one: who passes over whom where two cross without a junction

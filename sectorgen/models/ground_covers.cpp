@@ -14,8 +14,8 @@
 namespace vicus {
 namespace {
 
-constexpr double kReach_m = 12;         // farther things do not shape the ground
-constexpr double kKerbRadius_m = 2.5;   // of a pavement's corner at a junction
+constexpr double kReach_m = 12;        // farther things do not shape the ground
+constexpr double kKerbRadius_m = 2.5;  // of a pavement's corner at a junction
 constexpr double kLineTolerance_m = 0.08;
 constexpr double kRailWidth_m = 0.09;
 constexpr double kLeastPatch_m2 = 0.6;  // smaller ones are crumbs of overlays
@@ -138,7 +138,8 @@ class Patches {
     std::vector<WideLine> lines;
     for (const Axis& a : map.axes)
       if (const double w = width_of(a); w > 0 && a.level >= 0) lines.push_back({simplify(a.line, kLineTolerance_m), w});
-    return near_of(std::move(lines), [](const WideLine& l) { return grown(box_of(l.line), lattice_mm(l.width_m / 2)); });
+    return near_of(std::move(lines),
+                   [](const WideLine& l) { return grown(box_of(l.line), lattice_mm(l.width_m / 2)); });
   }
   static Near<WideLine> path_lines(const SourceMap& map) {
     static const std::set<std::string> kPaths{"footway", "path", "cycleway", "bridleway", "track", "service"};
@@ -148,7 +149,8 @@ class Patches {
         lines.push_back({simplify(a.line, kLineTolerance_m), a.width_m});
     for (const Track& t : map.tracks)
       if (t.kind == SurfaceKind::path) lines.push_back({simplify(t.line, kLineTolerance_m), t.width_m});
-    return near_of(std::move(lines), [](const WideLine& l) { return grown(box_of(l.line), lattice_mm(l.width_m / 2)); });
+    return near_of(std::move(lines),
+                   [](const WideLine& l) { return grown(box_of(l.line), lattice_mm(l.width_m / 2)); });
   }
   static std::vector<Axis> flights(const SourceMap& map) {
     std::vector<Axis> out;

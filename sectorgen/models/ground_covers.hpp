@@ -12,12 +12,12 @@ namespace vicus {
 struct Patch {
   std::size_t sector = 0;  ///< index into City::sectors
   SurfaceKind kind = SurfaceKind::pavement;
-  Polygon area;        ///< within the sector's ground, to a millimetre
+  Polygon area;           ///< within the sector's ground, to a millimetre
   bool is_tread = false;  ///< one step of a flight of steps: level in itself
 };
 
-inline constexpr SurfaceKind kCoverOrder[] = {SurfaceKind::rail,  SurfaceKind::carriageway, SurfaceKind::steps,
-                                              SurfaceKind::path,  SurfaceKind::paving, SurfaceKind::earth,
+inline constexpr SurfaceKind kCoverOrder[] = {SurfaceKind::rail, SurfaceKind::carriageway, SurfaceKind::steps,
+                                              SurfaceKind::path, SurfaceKind::paving,      SurfaceKind::earth,
                                               SurfaceKind::grass};
 
 /// The kind of the ground where no patch lies.

@@ -72,8 +72,8 @@ class Builder {
   }
 
   GroundMesh run(const std::vector<PlanPoint>& free_points) {
-    for (PlanPoint p : free_points) {  // noded too: one may lie on an edge
-      segments_.push_back({p, p});
+    for (PlanPoint p : free_points) {  // a millimetre long, so that noding splits an edge on which one lies
+      segments_.push_back({p, {p.x + 1, p.y}});
       part_of_.push_back(kNone);
     }
     node();
@@ -83,7 +83,8 @@ class Builder {
       if (edge == kNone) return value;
       // t lies on the left of its own side.
       const bool is_forward = out.mesh.points[out.mesh.corner(t, k + 1)] < out.mesh.points[out.mesh.corner(t, k + 2)];
-      for (const Crossing& c : crossings_[edge]) value.add(parts_[c.part], c.is_forward == is_forward ? 1 : -1, patches_);
+      for (const Crossing& c : crossings_[edge])
+        value.add(parts_[c.part], c.is_forward == is_forward ? 1 : -1, patches_);
       return value;
     });
     out.cells.resize(covers.size());
@@ -116,7 +117,10 @@ class Builder {
     const Noded noded = node_segments(segments_);
     std::unordered_map<std::uint64_t, std::uint32_t> edge_of;
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      if (part_of_[s] == kNone) number_of(noded.points[noded.begin[s]]);
+      if (part_of_[s] == kNone) {
+        number_of(noded.points[noded.begin[s]]);
+        continue;
+      }
       for (std::uint32_t i = noded.begin[s]; i + 1 < noded.begin[s + 1]; ++i) {
         const PlanPoint p = noded.points[i], q = noded.points[i + 1];
         if (p == q) continue;
@@ -146,7 +150,8 @@ class Builder {
         break;
       }
     cell.is_sunk = has(SurfaceKind::carriageway);
-    if (cell.kind == SurfaceKind::steps && c.treads > 0) cell.tread = static_cast<std::uint32_t>(c.tread_sum / c.treads);
+    if (cell.kind == SurfaceKind::steps && c.treads > 0)
+      cell.tread = static_cast<std::uint32_t>(c.tread_sum / c.treads);
     return cell;
   }
 
@@ -167,7 +172,8 @@ class Builder {
     std::priority_queue<Step> queue;
     const auto centre = [&](std::uint32_t t) {
       double x = 0, y = 0;
-      for (int k = 0; k < 3; ++k) x += out.mesh.points[out.mesh.corner(t, k)].x, y += out.mesh.points[out.mesh.corner(t, k)].y;
+      for (int k = 0; k < 3; ++k)
+        x += out.mesh.points[out.mesh.corner(t, k)].x, y += out.mesh.points[out.mesh.corner(t, k)].y;
       return std::pair(x / 3, y / 3);
     };
     const auto push_around = [&](std::uint32_t t, double distance, std::uint32_t sector) {

@@ -11,11 +11,11 @@ namespace vicus {
 struct GroundCell {
   std::uint32_t sector = kNone;
   SurfaceKind kind = SurfaceKind::pavement;
-  bool is_walkable = false;    ///< else ground that belongs to the sector nearest to it, seen from there
-  bool is_sunk = false;        ///< below the kerb, or rails within such a carriageway
-  double raised_m = 0;         ///< the top of a low wall
+  bool is_walkable = false;        ///< else ground that belongs to the sector nearest to it, seen from there
+  bool is_sunk = false;            ///< below the kerb, or rails within such a carriageway
+  double raised_m = 0;             ///< the top of a low wall
   std::uint32_t obstacle = kNone;  ///< what it lies in, where nobody walks
-  std::uint32_t tread = kNone;  ///< index of the patch that is one step
+  std::uint32_t tread = kNone;     ///< index of the patch that is one step
 };
 
 struct GroundMesh {

@@ -56,8 +56,9 @@ class GroundHeights {
     for (PlanPoint p : ground.mesh.points) vertex_mm_.push_back(terrain_mm(city.terrain, p));
   }
 
-  /// Of vertex v, seen from triangle t; the terrain where t is nobody's.
+  /// Of vertex v, seen from triangle t; the terrain where t is nobody's, or kNone.
   std::int32_t at(std::uint32_t t, std::uint32_t v) const {
+    if (t == kNone) return vertex_mm_[v];
     const GroundCell& cell = ground_.cells[t];
     if (cell.sector == kNone) return vertex_mm_[v];
     if (cell.kind == SurfaceKind::water && !cell.is_walkable) return water_mm(cell.obstacle);
@@ -145,7 +146,7 @@ void add_riser(const GroundMesh& ground, const GroundHeights& heights, std::uint
   const Mesh& mesh = ground.mesh;
   const std::uint32_t n = mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
   const GroundCell& low = ground.cells[t];
-  if (low.sector == kNone || n == kNone || low.raised_m > 0 || ground.cells[n].raised_m > 0) return;
+  if (low.sector == kNone || low.raised_m > 0 || (n != kNone && ground.cells[n].raised_m > 0)) return;
   const std::uint32_t p = mesh.corner(t, k + 1), q = mesh.corner(t, k + 2);
   const GroundPoint p0{mesh.points[p], heights.at(t, p)}, q0{mesh.points[q], heights.at(t, q)};
   const GroundPoint p1{mesh.points[p], heights.at(n, p)}, q1{mesh.points[q], heights.at(n, q)};

@@ -21,9 +21,9 @@ constexpr double kSignReach_m = 12, kSignHeight_m = 3.15, kSignOut_m = 0.06, kSi
 constexpr double kRideStep_m = 3, kLeastRide_m = 60;
 
 bool has_sign(const StandaloneObject& object) {
-  static const std::set<std::string> kKinds{"shop",     "cafe",    "restaurant", "bar",     "pub",     "bank",
-                                            "pharmacy", "museum",  "hotel",      "gallery", "theatre", "cinema",
-                                            "library",  "post_office", "fast_food", "attraction"};
+  static const std::set<std::string> kKinds{"shop",     "cafe",        "restaurant", "bar",       "pub",     "bank",
+                                            "pharmacy", "museum",      "hotel",      "gallery",   "theatre", "cinema",
+                                            "library",  "post_office", "fast_food",  "attraction"};
   return !object.name.empty() && kKinds.contains(object.kind);
 }
 
@@ -220,7 +220,8 @@ std::optional<std::string> web_address(const std::string& text) {
   const std::size_t host = address.starts_with("https://") ? 8 : address.starts_with("http://") ? 7 : 0;
   if (host == 0 || address.size() > 2000) return std::nullopt;
   for (const unsigned char c : address)
-    if (c <= ' ' || c == '"' || c == '\\' || c == '<' || c == '>' || c == '`' || c == '\'' || c == 0x7f) return std::nullopt;
+    if (c <= ' ' || c == '"' || c == '\\' || c == '<' || c == '>' || c == '`' || c == '\'' || c == 0x7f)
+      return std::nullopt;
   const std::string name = address.substr(host, address.find_first_of("/?#", host) - host);
   const auto dot = name.find('.');
   if (dot == std::string::npos || dot == 0 || name.back() == '.' || name.find("..") != std::string::npos)

@@ -137,9 +137,9 @@ std::vector<Polygon> offset(const std::vector<Polygon>& polygons, double distanc
   const Geos::Ptr all = geos.multi(polygons);
   if (!all) return {};
   constexpr int kStepsOf45 = 2;
-  return geos.polygons(geos.own(GEOSBufferWithStyle_r(geos.handle, all.get(), distance_m * kMmPerMetre, kStepsOf45,
-                                                      GEOSBUF_CAP_FLAT,
-                                                      is_rounded ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, 2.0)));
+  return geos.polygons(
+      geos.own(GEOSBufferWithStyle_r(geos.handle, all.get(), distance_m * kMmPerMetre, kStepsOf45, GEOSBUF_CAP_FLAT,
+                                     is_rounded ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, 2.0)));
 }
 
 std::vector<Polygon> unite(const std::vector<Polygon>& polygons) {

@@ -262,8 +262,9 @@ void add_things(City& city) {
       {"o-3", "s-main-w", "street_lamp", "", at(-30, 4), 0, 4, 0, "", {}},
       {"o-4", "s-main-w", "sign", "Café \"Löwe\"", at(-40, 4.94), 0, 3, 180, "https://example.org/?a=1&b=2", {}},
       {"o-5", "s-main-w", "sign", "Bäckerei", at(-20, 4.94), 0, 3, 180, "", {}}};
-  city.surfaces = {{"s-main-w", SurfaceKind::carriageway, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, 3), -120}}, {0, 1, 2}},
-                   {"s-main-w", SurfaceKind::kerb, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, -3), 0}}, {1, 0, 2}}};
+  city.surfaces = {
+      {"s-main-w", SurfaceKind::carriageway, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, 3), -120}}, {0, 1, 2}},
+      {"s-main-w", SurfaceKind::kerb, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, -3), 0}}, {1, 0, 2}}};
   city.rides = {{"s-main-w", "tram", 40, {{at(-60, 1), 0, 1.5}, {at(-30, 1), 0.25, 6.5}, {at(-5, 1), 0.25, 10.625}}}};
   city.prototypes = {{"bench", {{at(0, 0), 0}, {at(1, 0), 0}, {at(0, 1), 500}}, {0, 1, 2}, {{10, 20, 30}}}};
   city.viewpoints = {{"v-cross", "s-cross", "start", kAwkwardName, at(0, 0), 0, 1.7, 90},
