@@ -112,6 +112,8 @@ struct Building {
   std::string id, source_id, name;
   std::string sector_id;   ///< the sector that sends its roof and side walls
   Polygon footprint;       ///< as noded with its neighbours
+  double ground_m = 0;     ///< above the plan frame's 0: the level that its other heights count from
+  double foot_m = 0;       ///< its walls reach down this far below ground_m, where the ground around is lower
   double base_m = 0;       ///< underside above ground; > 0: one walks below, the footprint blocks nothing
   double height_m = 0;     ///< top of the roof above ground
   double eave_m = 0;       ///< top of the facades above ground
@@ -167,16 +169,63 @@ struct Street {
 };
 
 struct StandaloneObject {
-  std::string id, sector_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, ...
+  std::string id, sector_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, sign, ...
   PlanPoint at;
-  double height_m = 0;
+  double ground_m = 0;     ///< of the ground it stands on, above the plan frame's 0
+  double height_m = 0;     ///< sign: of its middle above ground_m; 0: unknown
+  double heading_deg = 0;  ///< where its front looks, clockwise from north
+  std::string url;         ///< web address of who is behind a sign: http or https, checked; else empty
   Tags tags;
+};
+
+/// What the ground is made of. kerb: upright faces where one surface lies higher than the next.
+enum class SurfaceKind { pavement, carriageway, paving, path, grass, earth, water, steps, rail, kerb };
+
+/// A place in the plan with a height above the plan frame's 0.
+struct GroundPoint {
+  PlanPoint at;
+  std::int32_t up_mm = 0;
+  friend auto operator<=>(const GroundPoint&, const GroundPoint&) = default;
+};
+
+/// The ground of one kind that one sector sends: its own, and of the ground around that nobody walks on (water, yards)
+/// what lies nearest to it. All surfaces of a city are parts of one triangulation: they meet in whole edges, overlap
+/// nowhere, and upright faces (kerb) close every edge where two of them differ in height.
+struct Surface {
+  std::string sector_id;
+  SurfaceKind kind = SurfaceKind::pavement;
+  std::vector<GroundPoint> points;
+  Triangles triangles;  ///< counter-clockwise from above; of kerbs, from the lower side
+};
+
+struct RidePoint {
+  PlanPoint at;
+  double ground_m = 0;
+  double time_s = 0;  ///< since the ride began
+};
+
+/// A vehicle's way through one sector, begun again each cycle_s at whole multiples of it since 1970: a tram that leaves
+/// one sector comes into the next in the same moment, though nobody tells either.
+struct Ride {
+  std::string sector_id, kind;  ///< kind: tram
+  double cycle_s = 0;
+  std::vector<RidePoint> points;  ///< times ascend within 0 ... cycle_s
+};
+
+/// An author's model that stands for every object of a kind. Frame: x east, y north, up, from the object's foot; its
+/// front looks south.
+struct Prototype {
+  std::string kind;
+  std::vector<GroundPoint> points;
+  Triangles triangles;          ///< counter-clockwise from outside
+  std::vector<Colour> colours;  ///< one each triangle
 };
 
 struct Viewpoint {
   std::string id, sector_id, kind, name;  ///< kind: start, gate, square
   PlanPoint at;
-  double eye_m = 1.7;
+  double ground_m = 0;     ///< of the ground there, above the plan frame's 0
+  double eye_m = 1.7;      ///< above ground_m
   double heading_deg = 0;  ///< clockwise from north
 };
 
@@ -218,6 +267,9 @@ struct City {
   std::vector<Polygon> domain;
   std::vector<Street> streets;
   std::vector<StandaloneObject> objects;
+  std::vector<Surface> surfaces;  ///< by sector, kind
+  std::vector<Ride> rides;
+  std::vector<Prototype> prototypes;
   std::vector<Viewpoint> viewpoints;
   std::vector<Visible> visible;
   Terrain terrain;
@@ -235,6 +287,7 @@ const char* name_of(FacetKind);
 const char* name_of(VisibleReason);
 const char* name_of(Importance);
 const char* name_of(FacadeStyle);
+const char* name_of(SurfaceKind);
 bool parse_name(const std::string&, SectorKind&);
 bool parse_name(const std::string&, GateKind&);
 bool parse_name(const std::string&, BorderKind&);
@@ -245,5 +298,6 @@ bool parse_name(const std::string&, FacetKind&);
 bool parse_name(const std::string&, VisibleReason&);
 bool parse_name(const std::string&, Importance&);
 bool parse_name(const std::string&, FacadeStyle&);
+bool parse_name(const std::string&, SurfaceKind&);
 
 }  // namespace vicus

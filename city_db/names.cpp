@@ -44,6 +44,12 @@ constexpr Names<Importance> kImportances = {
 constexpr Names<FacadeStyle> kFacadeStyles = {{FacadeStyle::plaster, "plaster"}, {FacadeStyle::stone, "stone"},
                                               {FacadeStyle::brick, "brick"},     {FacadeStyle::modern, "modern"},
                                               {FacadeStyle::church, "church"},   {FacadeStyle::shed, "shed"}};
+constexpr Names<SurfaceKind> kSurfaceKinds = {
+    {SurfaceKind::pavement, "pavement"}, {SurfaceKind::carriageway, "carriageway"},
+    {SurfaceKind::paving, "paving"},     {SurfaceKind::path, "path"},
+    {SurfaceKind::grass, "grass"},       {SurfaceKind::earth, "earth"},
+    {SurfaceKind::water, "water"},       {SurfaceKind::steps, "steps"},
+    {SurfaceKind::rail, "rail"},         {SurfaceKind::kerb, "kerb"}};
 constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unreadable_feature"},
                                           {IssueCode::outside_limits, "outside_limits"},
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
@@ -97,6 +103,7 @@ const char* name_of(FacetKind k) { return find_name(kFacetKinds, k); }
 const char* name_of(VisibleReason r) { return find_name(kVisibleReasons, r); }
 const char* name_of(Importance i) { return find_name(kImportances, i); }
 const char* name_of(FacadeStyle s) { return find_name(kFacadeStyles, s); }
+const char* name_of(SurfaceKind k) { return find_name(kSurfaceKinds, k); }
 const char* name_of(IssueCode c) { return find_name(kIssueCodes, c); }
 bool parse_name(const std::string& s, SectorKind& k) { return find_value(kSectorKinds, s, k); }
 bool parse_name(const std::string& s, GateKind& k) { return find_value(kGateKinds, s, k); }
@@ -108,5 +115,6 @@ bool parse_name(const std::string& s, FacetKind& k) { return find_value(kFacetKi
 bool parse_name(const std::string& s, VisibleReason& k) { return find_value(kVisibleReasons, s, k); }
 bool parse_name(const std::string& s, Importance& k) { return find_value(kImportances, s, k); }
 bool parse_name(const std::string& s, FacadeStyle& k) { return find_value(kFacadeStyles, s, k); }
+bool parse_name(const std::string& s, SurfaceKind& k) { return find_value(kSurfaceKinds, s, k); }
 
 }  // namespace vicus

@@ -50,6 +50,9 @@ class CityReader {
   std::vector<Building> buildings_of(const std::string& sector_id) const;  ///< whose roofs it sends
   std::vector<Facade> facades_of(const std::string& sector_id) const;
   std::vector<StandaloneObject> objects_of(const std::string& sector_id) const;
+  std::vector<Surface> surfaces_of(const std::string& sector_id) const;
+  std::vector<Ride> rides_of(const std::string& sector_id) const;
+  std::vector<Prototype> prototypes() const;  ///< of the whole city
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.

@@ -36,6 +36,9 @@ City read_city(const std::filesystem::path& path) {
   read_list(db, "domain", meta, city.domain);
   read_list(db, "street", meta, city.streets);
   read_list(db, "object", meta, city.objects);
+  read_list(db, "surface", meta, city.surfaces);
+  read_list(db, "ride", meta, city.rides);
+  read_list(db, "prototype", meta, city.prototypes);
   read_list(db, "viewpoint", meta, city.viewpoints);
   read_list(db, "visible", meta, city.visible);
   read_list(db, "issue", meta, city.issues);

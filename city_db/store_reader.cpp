@@ -154,6 +154,18 @@ std::vector<Facade> CityReader::facades_of(const std::string& sector_id) const {
 std::vector<StandaloneObject> CityReader::objects_of(const std::string& sector_id) const {
   return impl_->rows_of<StandaloneObject>("object", sector_id);
 }
+std::vector<Surface> CityReader::surfaces_of(const std::string& sector_id) const {
+  return impl_->rows_of<Surface>("surface", sector_id);
+}
+std::vector<Ride> CityReader::rides_of(const std::string& sector_id) const {
+  return impl_->rows_of<Ride>("ride", sector_id);
+}
+std::vector<Prototype> CityReader::prototypes() const {
+  auto row = impl_->select("prototype", "ORDER BY t.fid");
+  std::vector<Prototype> rows;
+  while (row->step()) read_record(*row, rows.emplace_back());
+  return rows;
+}
 std::vector<Viewpoint> CityReader::viewpoints_of(const std::string& sector_id) const {
   return impl_->rows_of<Viewpoint>("viewpoint", sector_id);
 }

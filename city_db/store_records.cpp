@@ -9,6 +9,7 @@
 #include "city_db/geometry_blob.hpp"
 #include "city_db/json_text.hpp"
 #include "city_db/roof_blob.hpp"
+#include "city_db/store_fields.hpp"
 
 namespace vicus {
 namespace {
@@ -82,34 +83,12 @@ std::vector<SideWall> side_walls_from(const Statement& row, int column) {
   return walls;
 }
 
-/// The value, or "damaged" when a decoder gave nullopt.
-template <class T>
-T require(const Statement& row, std::optional<T> value, const char* what) {
-  if (!value) row.database().throw_damaged(what);
-  return std::move(*value);
-}
-
 Polygon polygon_at(const Statement& row, int i) {
   return require(row, decode_polygon(row.bytes(i)), "a geometry is no polygon on the lattice");
 }
 std::vector<PlanPoint> line_at(const Statement& row, int i) {
   return require(row, decode_line(row.bytes(i)), "a geometry is no line on the lattice");
 }
-PlanPoint point_at(const Statement& row, int i) {
-  return require(row, decode_point(row.bytes(i)), "a geometry is no point on the lattice");
-}
-Tags tags_at(const Statement& row, int i) {
-  return require(row, tags_from_json(row.bytes(i)), "tags are no JSON object");
-}
-
-template <class Kind>
-Kind kind_at(const Statement& row, int i) {
-  Kind kind{};
-  const std::string name = row.text(i);
-  if (!parse_name(name, kind)) row.database().throw_damaged("unknown kind '" + name.substr(0, 40) + "'");
-  return kind;
-}
-
 std::int32_t lattice_at(const Statement& row, int i) {
   const double m = row.real(i);
   if (!(std::abs(m) < metres(kPlanLimit))) row.database().throw_damaged("a coordinate outside the lattice");
@@ -202,17 +181,19 @@ void bind_record(Statement& row, const Building& b) {
   row.bind(3, b.source_id);
   row.bind(4, b.name);
   row.bind(5, b.sector_id);
-  row.bind(6, b.base_m);
-  row.bind(7, b.height_m);
-  row.bind(8, b.eave_m);
-  row.bind(9, b.roof_shape);
-  row.bind(10, name_of(b.roof_source));
-  row.bind(11, name_of(b.height_source));
-  row.bind(12, json_from_tags(b.tags));
-  row.bind_blob(13, encode_roof(b.roof));
-  row.bind_blob(14, bytes_from_side_walls(b.side_walls));
-  row.bind(15, hex_of(b.wall_colour));
-  row.bind(16, hex_of(b.roof_colour));
+  row.bind(6, b.ground_m);
+  row.bind(7, b.foot_m);
+  row.bind(8, b.base_m);
+  row.bind(9, b.height_m);
+  row.bind(10, b.eave_m);
+  row.bind(11, b.roof_shape);
+  row.bind(12, name_of(b.roof_source));
+  row.bind(13, name_of(b.height_source));
+  row.bind(14, json_from_tags(b.tags));
+  row.bind_blob(15, encode_roof(b.roof));
+  row.bind_blob(16, bytes_from_side_walls(b.side_walls));
+  row.bind(17, hex_of(b.wall_colour));
+  row.bind(18, hex_of(b.roof_colour));
 }
 
 void read_record(const Statement& row, Building& b) {
@@ -221,17 +202,19 @@ void read_record(const Statement& row, Building& b) {
   b.source_id = row.text(2);
   b.name = row.text(3);
   b.sector_id = row.text(4);
-  b.base_m = row.real(5);
-  b.height_m = row.real(6);
-  b.eave_m = row.real(7);
-  b.roof_shape = row.text(8);
-  b.roof_source = kind_at<RoofSource>(row, 9);
-  b.height_source = kind_at<HeightSource>(row, 10);
-  b.tags = tags_at(row, 11);
-  b.roof = require(row, decode_roof(row.bytes(12)), "bytes that are no roof");
-  b.side_walls = side_walls_from(row, 13);
-  b.wall_colour = require(row, colour_from_hex(row.text(14)), "a colour is not #rrggbb");
-  b.roof_colour = require(row, colour_from_hex(row.text(15)), "a colour is not #rrggbb");
+  b.ground_m = row.real(5);
+  b.foot_m = row.real(6);
+  b.base_m = row.real(7);
+  b.height_m = row.real(8);
+  b.eave_m = row.real(9);
+  b.roof_shape = row.text(10);
+  b.roof_source = kind_at<RoofSource>(row, 11);
+  b.height_source = kind_at<HeightSource>(row, 12);
+  b.tags = tags_at(row, 13);
+  b.roof = require(row, decode_roof(row.bytes(14)), "bytes that are no roof");
+  b.side_walls = side_walls_from(row, 15);
+  b.wall_colour = require(row, colour_from_hex(row.text(16)), "a colour is not #rrggbb");
+  b.roof_colour = require(row, colour_from_hex(row.text(17)), "a colour is not #rrggbb");
 }
 
 void bind_record(Statement& row, const Facade& f) {
@@ -305,46 +288,6 @@ void read_record(const Statement& row, Street& s) {
   s.is_passage = row.integer(5) != 0;
   s.is_bridge = row.integer(6) != 0;
   s.is_steps = row.integer(7) != 0;
-}
-
-void bind_record(Statement& row, const StandaloneObject& o) {
-  row.bind_blob(1, encode_point(o.at));
-  row.bind(2, o.id);
-  row.bind(3, o.sector_id);
-  row.bind(4, o.kind);
-  row.bind(5, o.name);
-  row.bind(6, o.height_m);
-  row.bind(7, json_from_tags(o.tags));
-}
-
-void read_record(const Statement& row, StandaloneObject& o) {
-  o.at = point_at(row, 0);
-  o.id = row.text(1);
-  o.sector_id = row.text(2);
-  o.kind = row.text(3);
-  o.name = row.text(4);
-  o.height_m = row.real(5);
-  o.tags = tags_at(row, 6);
-}
-
-void bind_record(Statement& row, const Viewpoint& v) {
-  row.bind_blob(1, encode_point(v.at));
-  row.bind(2, v.id);
-  row.bind(3, v.sector_id);
-  row.bind(4, v.kind);
-  row.bind(5, v.name);
-  row.bind(6, v.eye_m);
-  row.bind(7, v.heading_deg);
-}
-
-void read_record(const Statement& row, Viewpoint& v) {
-  v.at = point_at(row, 0);
-  v.id = row.text(1);
-  v.sector_id = row.text(2);
-  v.kind = row.text(3);
-  v.name = row.text(4);
-  v.eye_m = row.real(5);
-  v.heading_deg = row.real(6);
 }
 
 void bind_record(Statement& row, const Visible& v) {

@@ -147,6 +147,8 @@ const std::vector<Table>& tables() {
         {"source_id", "TEXT NOT NULL"},
         {"name", "TEXT NOT NULL"},
         {"sector_id", "TEXT NOT NULL"},
+        {"ground_m", "DOUBLE NOT NULL"},
+        {"foot_m", "DOUBLE NOT NULL"},
         {"base_m", "DOUBLE NOT NULL"},
         {"height_m", "DOUBLE NOT NULL"},
         {"eave_m", "DOUBLE NOT NULL"},
@@ -194,8 +196,26 @@ const std::vector<Table>& tables() {
         {"sector_id", "TEXT NOT NULL"},
         {"kind", "TEXT NOT NULL"},
         {"name", "TEXT NOT NULL"},
+        {"ground_m", "DOUBLE NOT NULL"},
         {"height_m", "DOUBLE NOT NULL"},
+        {"heading_deg", "DOUBLE NOT NULL"},
+        {"url", "TEXT NOT NULL"},
         {"tags", "TEXT NOT NULL"}}},
+      {"surface",
+       nullptr,
+       "what the ground is made of, as triangles",
+       {{"sector_id", "TEXT NOT NULL"}, {"kind", "TEXT NOT NULL"}, {"mesh", "BLOB NOT NULL"}}},
+      {"ride",
+       nullptr,
+       "ways of trams through sectors",
+       {{"sector_id", "TEXT NOT NULL"},
+        {"kind", "TEXT NOT NULL"},
+        {"cycle_s", "DOUBLE NOT NULL"},
+        {"points", "BLOB NOT NULL"}}},
+      {"prototype",
+       nullptr,
+       "an author's models of kinds of objects",
+       {{"kind", "TEXT NOT NULL UNIQUE"}, {"mesh", "BLOB NOT NULL"}}},
       {"viewpoint",
        "POINT",
        "places to start from",
@@ -203,6 +223,7 @@ const std::vector<Table>& tables() {
         {"sector_id", "TEXT NOT NULL"},
         {"kind", "TEXT NOT NULL"},
         {"name", "TEXT NOT NULL"},
+        {"ground_m", "DOUBLE NOT NULL"},
         {"eye_m", "DOUBLE NOT NULL"},
         {"heading_deg", "DOUBLE NOT NULL"}}},
       {"visible",
@@ -300,7 +321,8 @@ void finish_schema(Database& db, const std::vector<PlanBox>& extents) {
       "CREATE INDEX gate_sector ON gate(sector_id); CREATE INDEX border_sector ON border(sector_id);"
       "CREATE INDEX building_sector ON building(sector_id); CREATE INDEX object_sector ON object(sector_id);"
       "CREATE INDEX viewpoint_sector ON viewpoint(sector_id); CREATE INDEX visible_sector ON visible(sector_id);"
-      "CREATE INDEX facade_sector ON facade(sector_id)");
+      "CREATE INDEX facade_sector ON facade(sector_id); CREATE INDEX surface_sector ON surface(sector_id);"
+      "CREATE INDEX ride_sector ON ride(sector_id)");
   auto contents = db.prepare("INSERT INTO gpkg_contents VALUES (?1, ?2, ?1, ?3, ?4, ?5, ?6, ?7, ?8, ?9)");
   auto geometry = db.prepare("INSERT INTO gpkg_geometry_columns VALUES (?1, ?2, ?3, ?4, 0, 0)");
   auto extension = db.prepare(

@@ -9,7 +9,7 @@ namespace vicus {
 
 class Database;
 
-inline constexpr int kFormatVersion = 3;
+inline constexpr int kFormatVersion = 4;
 inline constexpr const char* kGeometryColumn = "geom";
 
 struct Column {

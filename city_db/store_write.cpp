@@ -106,6 +106,9 @@ void write_city(const std::filesystem::path& path, const City& city,
   write_list(db, "domain", city.domain, written);
   write_list(db, "street", city.streets, written);
   write_list(db, "object", city.objects, written);
+  write_list(db, "surface", city.surfaces, written);
+  write_list(db, "ride", city.rides, written);
+  write_list(db, "prototype", city.prototypes, written);
   write_list(db, "viewpoint", city.viewpoints, written);
   write_list(db, "visible", city.visible, written);
   write_list(db, "terrain", std::vector<Terrain>(city.terrain.height_mm.empty() ? 0 : 1, city.terrain), written);

@@ -12,7 +12,9 @@
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
 #include "sectorgen/models/facades.hpp"
+#include "sectorgen/models/lay_ground.hpp"
 #include "sectorgen/models/roof_city.hpp"
+#include "sectorgen/models/stand_objects.hpp"
 #include "sectorgen/sectors/domain.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
@@ -115,6 +117,12 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   roof_houses(city);
   lay_out_facades(city);
   if (options.with_textures) paint_textures(city, options.threads);
+
+  clock.begin("ground");
+  stand_objects(map, city);
+  const auto ground_figures = lay_ground(map, city, options.threads);
+  report.ground_triangles = ground_figures.triangles;
+  report.largest_gap_m = ground_figures.largest_gap_m;
 
   clock.begin("visibility");
   if (options.with_visibility) {

@@ -21,6 +21,8 @@ struct StageTime {
 
 struct BuildReport {
   std::vector<StageTime> stages;
+  std::size_t ground_triangles = 0;
+  double largest_gap_m = 0;           ///< between a house and the ground before it
   bool is_terrain_coarsened = false;  ///< its step is wider than 5 m, or there would be too many nodes
 };
 

@@ -60,6 +60,9 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
   for (const auto& b : city.borders) borders_of_[b.sector_id].push_back(&b);
   for (const auto& f : city.facades) facades_of_[f.sector_id].push_back(&f);
   for (const auto& o : city.objects) objects_of_[o.sector_id].push_back(&o);
+  for (const auto& s : city.surfaces) surfaces_of_[s.sector_id].push_back(&s);
+  for (const auto& r : city.rides) rides_of_[r.sector_id].push_back(&r);
+  for (const auto& p : city.prototypes) prototypes_.emplace(p.kind, &p);
   for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
   for (const auto& v : city.visible) {
     visible_from_[v.sector_id].push_back(&v);
@@ -95,6 +98,14 @@ const std::vector<const Building*>& CityIndex::buildings_of(const std::string& i
 }
 const std::vector<const StandaloneObject*>& CityIndex::objects_of(const std::string& id) const {
   return find_list(objects_of_, id);
+}
+const std::vector<const Surface*>& CityIndex::surfaces_of(const std::string& id) const {
+  return find_list(surfaces_of_, id);
+}
+const std::vector<const Ride*>& CityIndex::rides_of(const std::string& id) const { return find_list(rides_of_, id); }
+const Prototype* CityIndex::prototype(const std::string& kind) const {
+  const auto at = prototypes_.find(kind);
+  return at == prototypes_.end() ? nullptr : at->second;
 }
 const std::vector<const Viewpoint*>& CityIndex::viewpoints_of(const std::string& id) const {
   return find_list(viewpoints_of_, id);

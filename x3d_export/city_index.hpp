@@ -42,6 +42,9 @@ class CityIndex {
   const std::vector<const Facade*>& facades_of(const std::string& sector_id) const;
   const std::vector<const Building*>& buildings_of(const std::string& sector_id) const;
   const std::vector<const StandaloneObject*>& objects_of(const std::string& sector_id) const;
+  const std::vector<const Surface*>& surfaces_of(const std::string& sector_id) const;
+  const std::vector<const Ride*>& rides_of(const std::string& sector_id) const;
+  const Prototype* prototype(const std::string& kind) const;  ///< an author's model of a kind; nullptr: ours
   const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
   const std::vector<const Visible*>& visible_from(const std::string& sector_id) const;
   /// Ids of the houses of the sector that some other sector sees over roofs.
@@ -59,6 +62,9 @@ class CityIndex {
   BySector<Facade> facades_of_;
   BySector<Building> buildings_of_;
   BySector<StandaloneObject> objects_of_;
+  BySector<Surface> surfaces_of_;
+  BySector<Ride> rides_of_;
+  std::map<std::string, const Prototype*> prototypes_;
   BySector<Viewpoint> viewpoints_of_;
   BySector<Visible> visible_from_;
   std::map<std::string, std::set<std::string>> tall_houses_of_;

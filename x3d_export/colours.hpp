@@ -6,6 +6,7 @@
 namespace vicus {
 
 Colour ground_colour(SectorKind kind);
+Colour surface_colour(SurfaceKind kind);
 
 inline constexpr Colour kWallColour{150, 140, 126};
 inline constexpr Colour kFenceColour{96, 88, 76};

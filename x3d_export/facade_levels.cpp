@@ -19,9 +19,9 @@ Colour shaded(Colour c, double k) {
 
 class FacadeBuilder {
  public:
-  FacadeBuilder(const Facade& facade, Colour wall, PlanPoint origin)
+  FacadeBuilder(const Facade& facade, Colour wall, double ground_m, PlanPoint origin)
       : facade_(facade),
-        frame_(facade.a, facade.b, origin),
+        frame_(facade.a, facade.b, origin, ground_m),
         wall_(wall),
         stone_(shaded(wall, 1.05)),
         openings_(openings_of(facade)) {
@@ -200,8 +200,9 @@ std::size_t LevelFaces::triangles() const {
   return count;
 }
 
-void add_facade(const Facade& facade, Colour wall, PlanPoint origin, std::size_t taken, LevelFaces (&levels)[4]) {
-  FacadeBuilder builder(facade, wall, origin);
+void add_facade(const Facade& facade, Colour wall, double ground_m, PlanPoint origin, std::size_t taken,
+                LevelFaces (&levels)[4]) {
+  FacadeBuilder builder(facade, wall, ground_m, origin);
   builder.sort_by_floor();
   builder.silhouette(levels[0]);
   builder.silhouette(levels[1]);

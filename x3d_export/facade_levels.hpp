@@ -28,7 +28,9 @@ inline constexpr double kQuadOffset_m = 0.05;
 /// Adds the facade to all four levels (levels[0] is level 1).
 /// Error   level 4 sets the openings of the lowest ten floors only; above them nobody sees the depth.
 /// `taken`: triangles that the house spends on other relief of level 3, its chimneys.
-void add_facade(const Facade& facade, Colour wall, PlanPoint origin, std::size_t taken, LevelFaces (&levels)[4]);
+/// `ground_m`: of the house, Building::ground_m.
+void add_facade(const Facade& facade, Colour wall, double ground_m, PlanPoint origin, std::size_t taken,
+                LevelFaces (&levels)[4]);
 
 /// The same facade as several, pattern by pattern, none with more than `most` openings where a pattern has fewer.
 std::vector<Facade> split_facade(const Facade& facade, int most);

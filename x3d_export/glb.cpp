@@ -22,8 +22,8 @@ struct Content {
   std::vector<Face> solid, two_sided, backdrop;
   std::map<std::string, std::vector<TexturedFace>> by_image;
 
-  std::vector<Face>& of(Surface surface) {
-    return surface == Surface::solid ? solid : surface == Surface::two_sided ? two_sided : backdrop;
+  std::vector<Face>& of(Shading shading) {
+    return shading == Shading::solid ? solid : shading == Shading::two_sided ? two_sided : backdrop;
   }
   LatticeBox box() const {
     LatticeBox box{{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
@@ -41,7 +41,7 @@ Content content_of(const CityIndex& index, const Sector& sector, Detail detail) 
   assert(detail != Detail::tall);
   Content content;
   for (Layer& layer : sector_layers(index, sector, detail)) {
-    auto& list = content.of(layer.surface);
+    auto& list = content.of(layer.shading);
     list.insert(list.end(), layer.faces.begin(), layer.faces.end());
   }
   if (detail == Detail::far) return content;

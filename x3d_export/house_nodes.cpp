@@ -47,7 +47,7 @@ struct Piece {
 
 Node level_node(const LevelFaces& faces, const std::string& atlas) {
   Node group("Group");
-  if (!faces.solid.empty()) group.add(shape_of("", Surface::solid, faces.solid));
+  if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid));
   std::map<std::string, std::vector<TexturedFace>> by_image;
   for (const auto& [image, face] : faces.own_images) by_image[image].push_back(face);
   if (!faces.atlas.empty()) by_image[atlas] = faces.atlas;
@@ -55,10 +55,10 @@ Node level_node(const LevelFaces& faces, const std::string& atlas) {
   return group;
 }
 
-Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas, int finest) {
+Node lod_node(const Piece& piece, double ground_m, PlanPoint origin, const std::string& atlas, int finest) {
   const PlanPoint middle{piece.box.min.x + (piece.box.max.x - piece.box.min.x) / 2,
                          piece.box.min.y + (piece.box.max.y - piece.box.min.y) / 2};
-  const X3dPoint centre = x3d_from_plan(middle, height_mm(kCentre_m), origin);
+  const X3dPoint centre = x3d_from_plan(middle, height_mm(ground_m + kCentre_m), origin);
   Node lod("LOD");
   lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
   lod.set("range", std::vector<double>(std::begin(kLevelRanges_m) + (4 - finest), std::end(kLevelRanges_m)));
@@ -68,7 +68,7 @@ Node lod_node(const Piece& piece, PlanPoint origin, const std::string& atlas, in
 
 /// Chimneys get at most half of the triangles that the windows of the first facade take in level 2.
 std::vector<Face> chimneys_of(const Share& share, const Facade& first, PlanPoint origin) {
-  FaceList chimneys(origin);
+  FaceList chimneys(origin, share.house->ground_m);
   if (share.has_body)
     add_chimneys(chimneys, *share.house, static_cast<int>(openings_of(first).size()) / kChimneyTriangles);
   return chimneys.take();
@@ -89,7 +89,7 @@ std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
       openings = 0;
     }
     openings += count;
-    add_facade(part, share.house->wall_colour, origin, taken, pieces.back().levels);
+    add_facade(part, share.house->wall_colour, share.house->ground_m, origin, taken, pieces.back().levels);
     pieces.back().box.add(part.a);
     pieces.back().box.add(part.b);
     taken = 0;
@@ -109,10 +109,10 @@ int finest_level(const CityIndex& index, const Sector& sector) {
   return openings <= kMostDeepOpenings ? 4 : 3;
 }
 
-std::set<std::pair<PlanPoint, PlanPoint>> stretches_with_levels(const CityIndex& index, const Sector& sector) {
-  std::set<std::pair<PlanPoint, PlanPoint>> stretches;
+LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sector) {
+  LeveledStretches stretches;
   for (const auto& [id, share] : shares_of(index, sector))
-    for (const Facade* facade : share.facades) stretches.insert({facade->a, facade->b});
+    for (const Facade* facade : share.facades) stretches.emplace(std::pair(facade->a, facade->b), facade->bottom_m);
   return stretches;
 }
 
@@ -138,8 +138,9 @@ std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, Scen
   const int finest = finest_level(index, sector);
   for (const auto& [id, share] : shares)
     for (const Piece& piece : pieces_of(share, sector.origin))
-      nodes.push_back(format == SceneFormat::vrml ? level_node(piece.levels[1], atlas)
-                                                  : lod_node(piece, sector.origin, atlas, finest));
+      nodes.push_back(format == SceneFormat::vrml
+                          ? level_node(piece.levels[1], atlas)
+                          : lod_node(piece, share.house->ground_m, sector.origin, atlas, finest));
   return nodes;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <set>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -20,9 +20,11 @@ inline constexpr int kMostDeepOpenings = 1300;
 /// 4, or 3 in such a sector.
 int finest_level(const CityIndex& index, const Sector& sector);
 
-/// Stretches of the sector's border, from a to b, whose walls come as LOD nodes: the facades with openings. All other
-/// walls and the roofs look the same in every level, so they are sent once, in the sector's layers (sector_mesh.hpp).
-std::set<std::pair<PlanPoint, PlanPoint>> stretches_with_levels(const CityIndex& index, const Sector& sector);
+/// Stretches of the sector's border, from a to b, whose walls come as LOD nodes: the facades with openings; and at
+/// which height over the house's ground they begin, m. All other walls and the roofs look the same in every level, so
+/// they are sent once, in the sector's layers (sector_mesh.hpp).
+using LeveledStretches = std::map<std::pair<PlanPoint, PlanPoint>, double>;
+LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sector);
 
 /// All facades of a sector in one of the levels, 1 ... 4, for formats that choose the level otherwise.
 /// Frame   the sector's own.

@@ -27,11 +27,11 @@ class Numbering {
   std::vector<T> items_;
 };
 
-Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
+Node appearance_of(Shading shading, Colour colour, bool is_coloured_by_face) {
   Node material("Material");
   // Browsers differ in what ambient light does with colours by face; three lights of the root world do without it.
   material.set("ambientIntensity", 0.0);
-  if (surface == Surface::backdrop)
+  if (shading == Shading::backdrop)
     material.set("diffuseColor", std::vector<double>{0, 0, 0}).set("emissiveColor", values_of(colour));
   else
     material.set("diffuseColor", is_coloured_by_face ? std::vector<double>{1, 1, 1} : values_of(colour));
@@ -42,7 +42,7 @@ Node appearance_of(Surface surface, Colour colour, bool is_coloured_by_face) {
 }  // namespace
 
 void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour) {
-  const std::int32_t low = height_mm(bottom_m), high = height_mm(top_m);
+  const std::int32_t low = up(bottom_m), high = up(top_m);
   if (a == b || low >= high) return;
   // Seen from the left of a -> b, b is the left end:  b1--a1
   //                                                   b0--a0
@@ -56,11 +56,11 @@ void FaceList::add_floor(const Polygon& polygon, const Triangles& triangles, dou
                          bool from_below) {
   std::vector<PlanPoint> points = polygon.outer;
   for (const auto& hole : polygon.holes) points.insert(points.end(), hole.begin(), hole.end());
-  const std::int32_t up = height_mm(up_m);
+  const std::int32_t level = up(up_m);
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     std::array<X3dPoint, 4> corners{};
     for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = x3d_from_plan(points.at(triangles[i + (from_below ? 2 - k : k)]), up, origin_);
+      corners[k] = x3d_from_plan(points.at(triangles[i + (from_below ? 2 - k : k)]), level, origin_);
     faces_.push_back({corners, 3, colour});
   }
 }
@@ -74,7 +74,7 @@ void FaceList::add_block(PlanPoint middle, double width_m, double bottom_m, doub
   std::array<X3dPoint, 4> top{};
   for (std::size_t i = 0; i < 4; ++i) {
     add_wall(corners[(i + 1) % 4], corners[i], bottom_m, top_m, colour);
-    top[i] = x3d_from_plan(corners[i], height_mm(top_m), origin_);
+    top[i] = x3d_from_plan(corners[i], up(top_m), origin_);
   }
   faces_.push_back({top, 4, colour});
 }
@@ -83,7 +83,7 @@ void FaceList::add_triangle(const RoofPoint& a, const RoofPoint& b, const RoofPo
   std::array<X3dPoint, 4> corners{};
   const std::array<const RoofPoint*, 3> points{&a, &b, &c};
   for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = x3d_from_plan(points[k]->at, height_mm(points[k]->up / kRoofStepsPerMetre), origin_);
+    corners[k] = x3d_from_plan(points[k]->at, up(points[k]->up / kRoofStepsPerMetre), origin_);
   const auto side = [&](std::size_t k) {
     return std::array{std::int64_t{corners[k].x} - corners[0].x, std::int64_t{corners[k].y} - corners[0].y,
                       std::int64_t{corners[k].z} - corners[0].z};
@@ -98,7 +98,7 @@ void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double 
   const auto corner = [&](int side, double radius_m, double up_m) {
     const double turn = 2 * std::numbers::pi * side / sides;
     const PlanPoint p{at.x + lattice_mm(radius_m * std::cos(turn)), at.y + lattice_mm(radius_m * std::sin(turn))};
-    return x3d_from_plan(p, height_mm(up_m), origin_);
+    return x3d_from_plan(p, up(up_m), origin_);
   };
   for (int i = 0; i < sides; ++i) {
     const auto a = corner(i, radius_low_m, low_m), b = corner(i + 1, radius_low_m, low_m);
@@ -110,6 +110,27 @@ void FaceList::add_spindle(PlanPoint at, int sides, double radius_low_m, double 
     else
       faces_.push_back({{a, b, c, d}, 4, colour});
   }
+}
+
+void FaceList::add_ground(const std::vector<GroundPoint>& points, const Triangles& triangles, Colour colour) {
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    std::array<X3dPoint, 4> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const GroundPoint& p = points.at(triangles[i + k]);
+      corners[k] = x3d_from_plan(p.at, p.up_mm, origin_);
+    }
+    faces_.push_back({corners, 3, colour});
+  }
+}
+
+void FaceList::add_sloped_wall(PlanPoint a, PlanPoint b, std::int32_t a_mm, std::int32_t b_mm, double low_m,
+                               double high_m, Colour colour) {
+  const std::int32_t low = height_mm(low_m), high = height_mm(high_m);
+  if (a == b || low >= high) return;
+  faces_.push_back({{x3d_from_plan(b, b_mm + low, origin_), x3d_from_plan(a, a_mm + low, origin_),
+                     x3d_from_plan(a, a_mm + high, origin_), x3d_from_plan(b, b_mm + high, origin_)},
+                    4,
+                    colour});
 }
 
 namespace {
@@ -167,7 +188,7 @@ Node textured_shape(const std::string& image, const std::string& url, std::span<
   return shape.add("geometry", std::move(geometry));
 }
 
-Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces) {
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces) {
   assert(!faces.empty());
   Numbering<X3dPoint> number_of_point;
   Numbering<Colour> number_of_colour;
@@ -185,7 +206,7 @@ Node shape_of(const std::string& def, Surface surface, std::span<const Face> fac
 
   const bool is_coloured_by_face = number_of_colour.items().size() > 1;
   Node geometry("IndexedFaceSet");
-  if (surface == Surface::two_sided) geometry.set("solid", false);
+  if (shading == Shading::two_sided) geometry.set("solid", false);
   geometry.set("coordIndex", std::move(coord_index));
   if (is_coloured_by_face) geometry.set("colorPerVertex", false).set("colorIndex", std::move(color_index));
   Node coordinate("Coordinate");
@@ -193,7 +214,7 @@ Node shape_of(const std::string& def, Surface surface, std::span<const Face> fac
   Node color("Color");
   if (is_coloured_by_face) geometry.add("color", color.set("color", std::move(colours)));
   Node shape("Shape", def);
-  shape.add("appearance", appearance_of(surface, faces.front().colour, is_coloured_by_face));
+  shape.add("appearance", appearance_of(shading, faces.front().colour, is_coloured_by_face));
   return shape.add("geometry", std::move(geometry));
 }
 

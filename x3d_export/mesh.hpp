@@ -24,7 +24,7 @@ struct TexturedFace {
   std::array<std::array<double, 2>, 4> uv;  ///< 0 ... 1 from the image's left and bottom; beyond it repeats
 };
 
-enum class Surface {
+enum class Shading {
   solid,      ///< lit, seen from outside only
   two_sided,  ///< lit, seen from both sides
   backdrop    ///< not lit, seen from its front only
@@ -33,18 +33,25 @@ enum class Surface {
 /// All faces of one material of a sector.
 struct Layer {
   std::string name;  ///< DEF of its Shape
-  Surface surface = Surface::solid;
+  Shading shading = Shading::solid;
   std::vector<Face> faces;
 };
 
 /// Frame   faces in the frame of the sector with the plan origin `origin`.
 class FaceList {
  public:
-  explicit FaceList(PlanPoint origin) : origin_(origin) {}
+  /// `lift_m` is added to every height but those of add_ground and add_sloped_wall.
+  explicit FaceList(PlanPoint origin, double lift_m = 0) : origin_(origin), lift_mm_(height_mm(lift_m)) {}
+  void set_lift(double lift_m) { lift_mm_ = height_mm(lift_m); }
   /// The upright wall over the line from `a` to `b`, seen from the left of a -> b. Nothing when it has no area.
   void add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour);
   /// Triangles of `polygon` at a height, seen from above, or from below.
   void add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour, bool from_below);
+  /// Triangles with heights of their own; upright ones have no top to see.
+  void add_ground(const std::vector<GroundPoint>& points, const Triangles& triangles, Colour colour);
+  /// add_wall over ground that is `a_mm` and `b_mm` high, from `low_m` to `high_m` above it.
+  void add_sloped_wall(PlanPoint a, PlanPoint b, std::int32_t a_mm, std::int32_t b_mm, double low_m, double high_m,
+                       Colour colour);
   /// The triangle through three points of a roof, counter-clockwise seen from outside. Nothing when it has no area in
   /// whole millimetres.
   void add_triangle(const RoofPoint& a, const RoofPoint& b, const RoofPoint& c, Colour colour);
@@ -56,13 +63,15 @@ class FaceList {
   std::vector<Face> take() { return std::move(faces_); }
 
  private:
+  std::int32_t up(double m) const { return height_mm(m) + lift_mm_; }
   PlanPoint origin_;
+  std::int32_t lift_mm_ = 0;
   std::vector<Face> faces_;
 };
 
 /// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
 /// Needs   !faces.empty() (assert).
-Node shape_of(const std::string& def, Surface surface, std::span<const Face> faces);
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces);
 
 /// A Shape under one image. Its Appearance's DEF is "IMAGE-" + `image`: equal ones in a file can be USEd.
 /// Needs   !faces.empty() (assert).

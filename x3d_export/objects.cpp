@@ -42,6 +42,7 @@ double widest_m(const Spindle& s, double from_m, double to_m) {
 
 std::vector<Spindle> spindles_of(const StandaloneObject& object) {
   constexpr Colour kStone{176, 170, 158}, kWater{122, 158, 176}, kBronze{86, 96, 86}, kWood{128, 98, 68};
+  constexpr Colour kIron{58, 64, 62}, kYellow{226, 186, 44}, kRed{178, 52, 42}, kPoster{196, 176, 140};
   if (object.kind == "tree") return tree(object);
   if (object.kind == "street_lamp") return lamp(object);
   if (object.kind == "fountain")
@@ -49,7 +50,24 @@ std::vector<Spindle> spindles_of(const StandaloneObject& object) {
   if (object.kind == "bench") return {{4, 0.5, 0.5, 0, 0.45, kWood}, {4, 0.5, 0, 0.45, 0.46, kWood}};
   if (object.kind == "statue" || object.kind == "monument" || object.kind == "memorial")
     return {{4, 0.7, 0.6, 0, 1.4, kStone}, {4, 0.6, 0, 1.4, 1.41, kStone}, {6, 0.35, 0, 1.4, 3.4, kBronze}};
+  if (object.kind == "bollard") return {{5, 0.09, 0.08, 0, 0.8, kIron}, {5, 0.08, 0, 0.8, 0.88, kIron}};
+  if (object.kind == "waste_basket") return {{6, 0.2, 0.24, 0.15, 0.95, kIron}, {6, 0.24, 0, 0.95, 1.0, kIron}};
+  if (object.kind == "post_box") return {{4, 0.3, 0.3, 0.4, 1.4, kYellow}, {4, 0.3, 0, 1.4, 1.5, kYellow}};
+  if (object.kind == "clock") return {{4, 0.08, 0.06, 0, 3, kIron}, {8, 0.4, 0.4, 3, 3.2, kStone}};
+  if (object.kind == "drinking_water") return {{6, 0.16, 0.13, 0, 0.95, kIron}, {6, 0.2, 0, 0.95, 1.05, kIron}};
+  if (object.kind == "fire_hydrant") return {{6, 0.12, 0.1, 0, 0.6, kRed}, {6, 0.1, 0, 0.6, 0.72, kRed}};
+  if (object.kind == "column")
+    return {{8, 0.65, 0.65, 0, 2.9, kPoster}, {8, 0.75, 0.7, 2.9, 3.1, kIron}, {8, 0.7, 0, 3.1, 3.6, kIron}};
   return {};
+}
+
+std::vector<Spindle> far_spindles_of(const StandaloneObject& object) {
+  constexpr double kLeast_m = 4;
+  if (object.kind != "tree") return {};
+  auto parts = tree(object);
+  if (parts.back().high_m < kLeast_m) return {};
+  for (auto& s : parts) s.sides = 3;
+  return parts;
 }
 
 double body_radius_m(const StandaloneObject& object) {

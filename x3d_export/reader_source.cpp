@@ -30,6 +30,9 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   city.buildings = reader.buildings_of(id);
   city.facades = reader.facades_of(id);
   city.objects = reader.objects_of(id);
+  city.surfaces = reader.surfaces_of(id);
+  city.rides = reader.rides_of(id);
+  city.prototypes = reader.prototypes();
   city.viewpoints = reader.viewpoints_of(id);
   city.visible = reader.visible_from(id);
   std::set<std::string> others, houses, facades;

@@ -24,6 +24,9 @@ constexpr double kAvatar_m[] = {0.25, 1.7, 0.4};  // radius, eye, step
 constexpr double kWalk_m_per_s = 1.6;
 constexpr double kTallest_m = 16;  // at least the backdrops at the city's ends
 
+/// Crowns and trams reach over the edge of the ground, water lies below it, a slope may go on beyond the viewpoints.
+constexpr double kOverhang_m = 6, kSunk_m = 1, kSlope_m = 15;
+
 /// A house without a facade to walk along is sent by a sector near by, rarely so far from it.
 constexpr double kReach_m = 150;
 
@@ -97,18 +100,26 @@ std::vector<InitialSector> initial_sectors(const RecordSource& source, const Roo
 /// bboxCenter and bboxSize of all that the sector's file draws, in the sector's frame.
 void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
   PlanBox box = box_of(sector.ground);
-  double top_m = kTallest_m;
+  double low_m = 0, top_m = kTallest_m;
   // Facades on this ground's edge may belong to houses whose roofs other sectors send: they count for the height only.
   const PlanBox around = grown(box, lattice_mm(kReach_m));
   for (const auto& house : source.houses_in(around)) {
-    top_m = std::max(top_m, house.height_m);
+    low_m = std::min(low_m, house.ground_m - house.foot_m);
+    top_m = std::max(top_m, house.ground_m + house.height_m);
     if (house.sector_id == sector.id)
       for (const auto& p : house.footprint.outer) box.add(p);
   }
-  const X3dPoint low = x3d_from_plan(box.min, 0, sector.origin), high = x3d_from_plan(box.max, 0, sector.origin);
-  node.set("bboxCenter",
-           std::vector<double>{(metres(low.x) + metres(high.x)) / 2, top_m / 2, (metres(low.z) + metres(high.z)) / 2});
-  node.set("bboxSize", std::vector<double>{metres(high.x - low.x), top_m, metres(low.z - high.z)});
+  for (const auto& view : source.viewpoints_of(sector.id)) {
+    const double slope_m = source.meta("terrain_base_m").empty() ? 0 : kSlope_m;
+    low_m = std::min(low_m, view.ground_m - slope_m);
+    top_m = std::max(top_m, view.ground_m + kTallest_m + slope_m);
+  }
+  box = grown(box, lattice_mm(kOverhang_m));
+  const X3dPoint low = x3d_from_plan(box.min, height_mm(low_m - kSunk_m), sector.origin),
+                 high = x3d_from_plan(box.max, height_mm(top_m), sector.origin);
+  node.set("bboxCenter", std::vector<double>{(metres(low.x) + metres(high.x)) / 2, (metres(low.y) + metres(high.y)) / 2,
+                                             (metres(low.z) + metres(high.z)) / 2});
+  node.set("bboxSize", std::vector<double>{metres(high.x - low.x), metres(high.y - low.y), metres(low.z - high.z)});
 }
 
 std::vector<double> root_position(PlanPoint origin) {

@@ -26,6 +26,7 @@ enum class FieldType {
   sf_color,
   mf_float,
   mf_double,
+  mf_rotation,
   mf_vec2f,
   mf_vec3f,
   mf_vec3d,

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
+#include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
 #include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
@@ -15,7 +16,8 @@ namespace vicus {
 namespace {
 
 constexpr double kParapet_m = 0.9;  // a bank's rail: one looks over it
-constexpr double kKerb_m = 0.15;    // an edge without a wall
+constexpr double kEdge_m = 0.15;    // an edge without a wall
+constexpr double kBuried_m = 0.5;   // of a wall on a slope
 constexpr double kFence_m = 1.5;    // where the map names no height
 constexpr double kBackdrop_m = 15;  // hides what is not there, as high as the houses of an old town
 
@@ -53,75 +55,97 @@ bool is_drawn(const Building& house, Detail detail, const CityIndex& index, cons
   return detail != Detail::tall || index.tall_houses_of(sector.id).contains(house.id);
 }
 
-using Stretches = std::set<std::pair<PlanPoint, PlanPoint>>;
+/// Walls on the ground; on a slope they go into it, so that nothing shows below them.
+void add_walls_on_ground(FaceList& faces, const GroundLevels& ground, const Line& line, double height_m,
+                         Colour colour) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::int32_t a = ground.at(line[i - 1]), b = ground.at(line[i]);
+    faces.add_sloped_wall(line[i - 1], line[i], a, b, a == b ? 0 : -kBuried_m, height_m, colour);
+  }
+}
 
-/// The walls of a border, corner by corner, but those that come with levels of detail.
-void add_walls_without_levels(FaceList& faces, const Border& border, const Building& house, const Stretches& levels) {
+/// What the ground is made of; all of it one plain where the city has no surfaces.
+void add_surfaces(FaceList& faces, const CityIndex& index, const Sector& sector) {
+  const auto& surfaces = index.surfaces_of(sector.id);
+  if (surfaces.empty()) faces.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+  for (const Surface* s : surfaces) faces.add_ground(s->points, s->triangles, surface_colour(s->kind));
+}
+
+/// The walls of a border, corner by corner. Of those that come with levels of detail only what is below the facade.
+void add_walls_without_levels(FaceList& faces, const Border& border, const Building& house,
+                              const LeveledStretches& levels) {
   const auto runs = straight_runs(border.line);
-  const auto has_levels = [&](std::size_t i) {
-    return levels.contains({border.line[runs[i]], border.line[runs[i + 1]]});
-  };
-  for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-    if (!has_levels(i))
-      add_walls(faces,
-                Line(border.line.begin() + static_cast<std::ptrdiff_t>(runs[i]),
-                     border.line.begin() + static_cast<std::ptrdiff_t>(runs[i + 1]) + 1),
-                0, wall_top_m(house), house.wall_colour);
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    const auto leveled = levels.find({border.line[runs[i]], border.line[runs[i + 1]]});
+    const double top_m = leveled == levels.end() ? wall_top_m(house) : leveled->second;
+    add_walls(faces,
+              Line(border.line.begin() + static_cast<std::ptrdiff_t>(runs[i]),
+                   border.line.begin() + static_cast<std::ptrdiff_t>(runs[i + 1]) + 1),
+              -house.foot_m, top_m, house.wall_colour);
+  }
 }
 
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
 void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
-  const Stretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : Stretches();
+  const LeveledStretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : LeveledStretches();
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
     if (!house || house->base_m > 0 || !is_drawn(*house, detail, index, sector)) continue;
+    faces.set_lift(house->ground_m);
     if (detail == Detail::near)
       add_walls_without_levels(faces, *border, *house, levels);
     else
-      add_walls(faces, simplified(border->line), 0, wall_top_m(*house), house->wall_colour);
+      add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house), house->wall_colour);
   }
 }
 
 /// Roofs, side walls and undersides of the houses that this sector sends.
 void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   for (const Building* house : index.buildings_of(sector.id))
-    if (is_drawn(*house, detail, index, sector)) add_body(faces, *house);
+    if (is_drawn(*house, detail, index, sector)) {
+      faces.set_lift(house->ground_m);
+      add_body(faces, *house);
+    }
 }
 
-void add_barriers(FaceList& faces, const CityIndex& index, const Sector& sector) {
+void add_barriers(FaceList& faces, const CityIndex& index, const GroundLevels& ground, const Sector& sector) {
   for (const Border* border : index.borders_of(sector.id)) {
     const double height_m = border->height_m > 0 ? border->height_m : kFence_m;
     switch (border->kind) {
       case BorderKind::facade:
         break;
       case BorderKind::wall:
-        add_walls(faces, border->line, 0, height_m, kWallColour);
+        add_walls_on_ground(faces, ground, border->line, height_m, kWallColour);
         break;
       case BorderKind::fence:
-        add_walls(faces, border->line, 0, height_m, kFenceColour);
+        add_walls_on_ground(faces, ground, border->line, height_m, kFenceColour);
         break;
       case BorderKind::bank:
-        add_walls(faces, border->line, 0, kParapet_m, kParapetColour);
+        add_walls_on_ground(faces, ground, border->line, kParapet_m, kParapetColour);
         break;
       case BorderKind::edge:
-        add_walls(faces, border->line, 0, kKerb_m, kParapetColour);
+        add_walls_on_ground(faces, ground, border->line, kEdge_m, kParapetColour);
         break;
     }
   }
 }
 
-void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector) {
-  for (const StandaloneObject* object : index.objects_of(sector.id))
-    for (const auto& s : spindles_of(*object))
+/// Objects beyond those that have a Shape of their own, and from afar the larger trees.
+void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+  const auto plain = detail == Detail::near ? plain_objects(index, sector) : far_objects(index, sector);
+  for (const StandaloneObject* object : plain) {
+    faces.set_lift(object->ground_m);
+    for (const auto& s : detail == Detail::near ? spindles_of(*object) : far_spindles_of(*object))
       faces.add_spindle(object->at, s.sides, s.radius_low_m, s.radius_high_m, s.low_m, s.high_m, s.colour);
+  }
 }
 
 /// Paper 004 §4.1.4: out of the city a gate is a solid face, an obstacle.
-void add_backdrops(FaceList& faces, const CityIndex& index, const Sector& sector) {
+void add_backdrops(FaceList& faces, const CityIndex& index, const GroundLevels& ground, const Sector& sector) {
   for (const Gate* gate : index.gates_of(sector.id))
-    if (gate->to_sector_id.empty()) add_walls(faces, gate->line, 0, kBackdrop_m, kSkyColour);
+    if (gate->to_sector_id.empty()) add_walls_on_ground(faces, ground, gate->line, kBackdrop_m, kSkyColour);
 }
 
 }  // namespace
@@ -130,20 +154,21 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
   FaceList ground(sector.origin), houses(sector.origin), barriers(sector.origin), objects(sector.origin),
       backdrops(sector.origin);
   FaceList& floor = detail == Detail::far ? houses : ground;
-  if (detail != Detail::tall)
-    floor.add_floor(sector.ground, sector.ground_triangles, 0, ground_colour(sector.kind), false);
+  if (detail != Detail::tall) add_surfaces(floor, index, sector);
   add_facades(houses, index, sector, detail);
   add_houses(houses, index, sector, detail);
+  if (detail == Detail::far) add_objects(houses, index, sector, detail);
   if (detail == Detail::near) {
-    add_barriers(barriers, index, sector);
-    add_objects(objects, index, sector);
-    add_backdrops(backdrops, index, sector);
+    const GroundLevels levels(index, sector);
+    add_barriers(barriers, index, levels, sector);
+    add_objects(objects, index, sector, detail);
+    add_backdrops(backdrops, index, levels, sector);
   }
-  std::vector<Layer> layers{{"GROUND", Surface::solid, ground.take()},
-                            {"HOUSES", Surface::solid, houses.take()},
-                            {"BARRIERS", Surface::two_sided, barriers.take()},
-                            {"OBJECTS", Surface::solid, objects.take()},
-                            {"BACKDROP", Surface::backdrop, backdrops.take()}};
+  std::vector<Layer> layers{{"GROUND", Shading::solid, ground.take()},
+                            {"HOUSES", Shading::solid, houses.take()},
+                            {"BARRIERS", Shading::two_sided, barriers.take()},
+                            {"OBJECTS", Shading::solid, objects.take()},
+                            {"BACKDROP", Shading::backdrop, backdrops.take()}};
   std::erase_if(layers, [](const Layer& layer) { return layer.faces.empty(); });
   return layers;
 }

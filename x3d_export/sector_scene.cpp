@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -84,7 +85,7 @@ std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::si
     for (std::size_t i = 0; i < count && fits; ++i) {
       const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
       if (faces.empty()) continue;
-      shapes.push_back(sized(shape_of(layer.name, layer.surface, faces), format));
+      shapes.push_back(sized(shape_of(layer.name, layer.shading, faces), format));
       fits = faces.size() == 1 || shapes.back().size <= limit;
       if (!fits) count = std::max(count, std::min(n, shapes.back().size * count / limit));
     }
@@ -92,11 +93,13 @@ std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::si
   }
 }
 
-/// Equal images are sent and held once in a file: the first Appearance of each is DEFined, the others USE it.
-void share_appearances(std::vector<Node>& nodes, std::set<std::string>& known) {
+/// Equal images and models are sent and held once in a file: the first Appearance or Shape of each is DEFined, the
+/// others USE it.
+void share_equals(std::vector<Node>& nodes, std::set<std::string>& known) {
   for (Node& node : nodes) {
-    if (node.type == "Appearance" && !node.def.empty() && !known.insert(node.def).second) node = use_of(node);
-    for (NodeField& field : node.nodes) share_appearances(field.nodes, known);
+    if ((node.type == "Appearance" || node.type == "Shape") && !node.def.empty() && !known.insert(node.def).second)
+      node = use_of(node);
+    for (NodeField& field : node.nodes) share_equals(field.nodes, known);
   }
 }
 
@@ -105,13 +108,24 @@ int count_all_shapes(const std::vector<Node>& nodes) {
 }
 
 /// Nodes in order, one list for each file: the first as large as `first`, the others as `limit`, but a list of one.
-std::vector<std::vector<Node>> packed(std::vector<SizedNode> nodes, std::size_t first, std::size_t limit) {
+std::vector<std::vector<Node>> packed(std::vector<SizedNode> nodes, SceneFormat format, std::size_t first,
+                                      std::size_t limit) {
   std::vector<std::vector<Node>> files(1);
   std::size_t room = first;
-  for (auto& [node, size] : nodes) {
+  std::set<std::string> known;  // what the file has already
+  const auto size_with = [&](const Node& node) {
+    std::vector<Node> copy{node};
+    share_equals(copy, known);
+    return written_size(copy.front(), format);
+  };
+  for (auto& [node, alone] : nodes) {
+    // A house shares next to nothing with others.
+    std::size_t size = node.type == "LOD" ? alone : size_with(node);
     if (size > room) {
       files.emplace_back();
       room = limit;
+      known.clear();
+      size = size_with(node);
     }
     room -= std::min(room, size);
     files.back().push_back(std::move(node));
@@ -119,20 +133,45 @@ std::vector<std::vector<Node>> packed(std::vector<SizedNode> nodes, std::size_t 
   return files;
 }
 
-std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit) {
+void collect_defs(const std::vector<Node>& nodes, std::set<std::string>& defs) {
+  for (const Node& node : nodes) {
+    if (!node.def.empty()) defs.insert(node.def);
+    for (const NodeField& field : node.nodes) collect_defs(field.nodes, defs);
+  }
+}
+
+/// Those that join nodes of this list.
+std::vector<Route> routes_within(const std::vector<Route>& routes, const std::vector<Node>& nodes) {
+  std::vector<Route> out;
+  if (routes.empty()) return out;
+  std::set<std::string> defs;
+  collect_defs(nodes, defs);
+  for (const Route& r : routes)
+    if (defs.contains(r.from_node) && defs.contains(r.to_node)) out.push_back(r);
+  return out;
+}
+
+std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit,
+                                  std::vector<Route>& routes) {
   std::vector<SizedNode> nodes;
   for (const Layer& layer : layers)
     for (auto& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)
     for (Node& house : house_nodes(parts.index, parts.sector, parts.format))
       nodes.push_back(sized(std::move(house), parts.format));
+  if (parts.detail == Detail::near) {
+    auto objects = object_nodes(parts.index, parts.sector, parts.format);
+    for (Node& object : objects.nodes) nodes.push_back(sized(std::move(object), parts.format));
+    routes = std::move(objects.routes);
+  }
   return nodes;
 }
 
-Scene main_scene(const SectorParts& parts, std::vector<Node> content, int shapes) {
+Scene main_scene(const SectorParts& parts, std::vector<Node> content, int shapes, const std::vector<Route>& routes) {
   Scene scene = empty_scene(parts, 0);
+  scene.routes = routes_within(routes, content);
   std::set<std::string> known;
-  share_appearances(content, known);
+  share_equals(content, known);
   add_content(scene, parts, std::move(content), shapes);
   return scene;
 }
@@ -148,7 +187,7 @@ std::vector<std::pair<std::string, std::string>> rights_of(const RecordSource& s
 }
 
 Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& place) {
-  const X3dPoint p = x3d_from_plan(v.at, height_mm(v.eye_m), origin);
+  const X3dPoint p = x3d_from_plan(v.at, height_mm(v.ground_m + v.eye_m), origin);
   Node node("Viewpoint");
   node.set("description", FieldValue(caption_of(v.name.empty() ? place : v.name)));
   node.set("position", std::vector<double>{metres(p.x), metres(p.y), metres(p.z)});
@@ -161,19 +200,21 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
   const SectorParts parts{index, sector, detail, format};
   const auto layers = sector_layers(index, sector, detail);
   if (detail == Detail::tall && layers.empty()) return {};
-  const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes), format).size();
+  const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes, {}), format).size();
   const std::size_t frame = write_scene(empty_scene(parts, kMostParts), format).size();
+  constexpr std::size_t kRoute = 90;    // a ROUTE
   constexpr std::size_t kInline = 120;  // an Inline that draws a part in, with a long name
   const std::size_t room = limit - std::min(limit / 2, frame);
-  std::vector<SizedNode> nodes = content_of(parts, layers, room);
+  std::vector<Route> routes;
+  std::vector<SizedNode> nodes = content_of(parts, layers, room, routes);
   int shapes = 0;
   std::size_t size = 0;
   for (const SizedNode& n : nodes) {
     shapes += count_shapes(n.node);
     size += n.size;
   }
-  const std::size_t inlines = kInline * (size / room + 2);
-  auto files = packed(std::move(nodes), limit - std::min(limit, head + inlines), room);
+  const std::size_t inlines = kRoute * routes.size() + kInline * (size / room + 2);
+  auto files = packed(std::move(nodes), format, limit - std::min(limit, head + inlines), room);
 
   std::vector<Node> content = std::move(files.front());
   std::vector<ExportFile> out(1);
@@ -183,13 +224,14 @@ std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& secto
     content.push_back(inline_node.set("url", std::vector<std::string>{file_name(parts, part)}));
     Scene scene = empty_scene(parts, part);
     scene.nodes = std::move(files[i]);
+    scene.routes = routes_within(routes, scene.nodes);
     const int own = count_all_shapes(scene.nodes);
     std::set<std::string> known;
-    share_appearances(scene.nodes, known);
+    share_equals(scene.nodes, known);
     out.push_back({"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own});
   }
   const int own = count_all_shapes(content);
-  const Scene scene = main_scene(parts, std::move(content), shapes);
+  const Scene scene = main_scene(parts, std::move(content), shapes, routes);
   out.front() = {"sectors/" + scene.title, media_type_of(format), write_scene(scene, format), own};
   return out;
 }

@@ -13,11 +13,11 @@ const kOwnKeys = 'button, input, select, textarea, a, article';
 /**
  * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
  *
- * Mouse: a drag looks round. Touch: the left half is a stick that walks, the right half looks.
+ * Mouse: a drag looks round, a click taps. Touch: the left half is a stick that walks, the right half looks.
  * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
  */
 export class Controls {
-    /** `stick`: the element that shows the touch stick. `commands`: code -> function. `tap([x, y])`: a click, in its pixels. */
+    /** `stick`: the element that shows the touch stick. `commands`: code -> function. `tap([x, y], event)`: a click, in its pixels. */
     constructor(surface, stick, commands, tap = () => {}) {
         Object.assign(this, { surface, stick, commands, tap, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
         addEventListener('keydown', event => this.keyDown(event));
@@ -99,7 +99,7 @@ export class Controls {
         if (drag?.role === 'walk') this.showStick(null);
         if (event.type !== 'pointerup' || !drag || drag.moved > kTapPixels || event.timeStamp - drag.at > kTapMilliseconds) return;
         const { left = 0, top = 0 } = this.surface.getBoundingClientRect?.() ?? {};
-        this.tap([drag.x - left, drag.y - top]);
+        this.tap([drag.x - left, drag.y - top], event);
     }
 
     showStick(drag) {

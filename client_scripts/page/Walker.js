@@ -1,4 +1,5 @@
 import { GroundWalls, constrainMetres } from '../core/GroundWalls.js';
+import { GroundHeights } from '../core/GroundHeights.js';
 import { cornerRound, detourRound } from '../core/detour.js';
 import { latticePoint } from '../core/planGeometry.js';
 import { sectorFromRecord } from '../core/sectorRecord.js';
@@ -16,11 +17,14 @@ const kFree = 0.95, kHeadOn = 0.3;
 const kSameWay = 0.7;
 /** s: a stall longer than this (a sector being parsed) moves the visitor no farther. */
 const kLongestStep = 0.2;
+/** m: of the eye above the ground; and how fast it follows a kerb or a step, per second. */
+const kEye = 1.7, kRise = 9;
 
 /**
  * Moves the visitor by what the controls say, as far as walls and bodies let: the ground edges of the sectors that are
  * there, so nobody leaves but through a gate, and what stands on the ground. One who walks straight into a body, or into
- * a wall just beside its corner, is led round it. The ground is even (DESIGN §2: up is metres above the terrain), so the eye keeps its height.
+ * a wall just beside its corner, is led round it. The eye follows the ground over kerbs, steps and slopes; where the
+ * ground is not known it keeps its height.
  *
  * Needs   `view`: pose(), setPose() as XIteAdapter has them.
  */
@@ -29,6 +33,7 @@ export class Walker {
         this.view = view;
         this.ground = new GroundWalls([]);
         this.key = '';
+        this.heights = new GroundHeights([]);
         this.detour = null;   // { way: lattice points still to go to, towards: what was wanted }
     }
 
@@ -39,6 +44,7 @@ export class Walker {
         this.key = key;
         this.ground = new GroundWalls(records.map(sectorFromRecord));
         this.open = this.ground.withoutBodies();
+        this.heights = new GroundHeights(records.map(record => record.surface).filter(Boolean));
         this.detour = null;
     }
 
@@ -48,7 +54,11 @@ export class Walker {
         const time = Math.min(seconds, kLongestStep), pose = this.view.pose();
         pose.heading += wish.turn * kTurnSpeed * time + wish.look[0];
         pose.pitch = Math.min(kMostPitch, Math.max(-kMostPitch, pose.pitch + wish.look[1]));
-        if (wish.forward || wish.right) [pose.east, pose.north] = this.walk(pose, wish, time);
+        if (wish.forward || wish.right) {
+            [pose.east, pose.north] = this.walk(pose, wish, time);
+            const ground = this.heights.at([pose.east * 1000, pose.north * 1000]);
+            if (ground !== null) pose.up += (ground / 1000 + kEye - pose.up) * Math.min(1, kRise * time);
+        }
         this.view.setPose(pose);
         return true;
     }

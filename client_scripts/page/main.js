@@ -37,7 +37,7 @@ async function start() {
     const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') });
     const parts = { view, world, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
     const commands = commandsFor(parts);
-    const tap = spot => travel.walkTo(spot, byId('window'), byId('goal'));
+    const tap = (spot, event) => view.tap(event) || travel.walkTo(spot, byId('window'), byId('goal'));
     parts.controls = new Controls(byId('window'), byId('stick'), commands, tap);
     parts.pad = new StepButtons(byId('pad'), { level: () => view.setPose({ ...view.pose(), pitch: 0 }) });
     connectButtons(parts, commands);

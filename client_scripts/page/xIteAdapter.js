@@ -73,7 +73,9 @@ export class XIteAdapter {
     /** The record in a sector's scene, or null. */
     recordOf(scene) {
         try {
-            return recordFromMetadata(scene.getNamedNode('RECORD'));
+            const record = recordFromMetadata(scene.getNamedNode('RECORD'));
+            record.surface = surfaceOf(scene, record.origin);
+            return record;
         } catch {
             return null;
         }
@@ -107,6 +109,14 @@ export class XIteAdapter {
         return this.browser.activeViewpoint.fieldOfView;
     }
 
+    /** What a click does where the pointer is: a lamp's TouchSensor, a sign's Anchor. True when something was there. */
+    tap(event) {
+        const { x, y } = this.browser.getPointerFromEvent(event);
+        if (!this.browser.buttonPressEvent(x, y)) return false;
+        this.browser.buttonReleaseEvent();
+        return true;
+    }
+
     /** Pixels drawn per CSS pixel. */
     setContentScale(scale) {
         this.browser.setBrowserOption('ContentScale', scale);
@@ -122,6 +132,17 @@ export class XIteAdapter {
     /** Is nothing on its way? */
     isIdle() {
         return this.browser._loadCount.getValue() === 0;
+    }
+}
+
+/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
+function surfaceOf(scene, [east, north]) {
+    try {
+        const { coord, coordIndex } = scene.getNamedNode('GROUND').geometry;
+        const points = Array.from(coord.point, p => [1000 * (east + p.x), 1000 * (north - p.z), 1000 * p.y]);
+        return { points, triangles: Array.from(coordIndex).filter(index => index >= 0) };
+    } catch {
+        return null;   // a sector without ground of its own
     }
 }
 

@@ -29,9 +29,20 @@ constexpr std::array kTypicalWidths = {
     KindWidth{"cycleway", 3},      KindWidth{"footway", 3},      KindWidth{"path", 2.5},
     KindWidth{"bridleway", 3},     KindWidth{"steps", 3},
 };
+/// From kerb to kerb; kinds that are not here have no kerbs.
+constexpr std::array kTypicalCarriageways = {
+    KindWidth{"motorway", 16},     KindWidth{"trunk", 13},         KindWidth{"primary", 11},
+    KindWidth{"secondary", 9},     KindWidth{"tertiary", 7},       KindWidth{"motorway_link", 6},
+    KindWidth{"trunk_link", 6},    KindWidth{"primary_link", 5},   KindWidth{"secondary_link", 5},
+    KindWidth{"tertiary_link", 5}, KindWidth{"unclassified", 5.5}, KindWidth{"residential", 5.5},
+    KindWidth{"road", 5.5},        KindWidth{"busway", 6.5},       KindWidth{"unknown", 5.5},
+    KindWidth{"service", 3},
+};
 constexpr double kUnknownWidthM = 8;
 constexpr double kLaneM = 3;
 constexpr double kPavementM = 2;
+constexpr double kTramGaugeM = 1.435;
+constexpr double kPathWidthM = 2;
 
 const Words kRoads = {"motorway",      "trunk",       "primary",       "secondary",      "tertiary",
                       "motorway_link", "trunk_link",  "primary_link",  "secondary_link", "tertiary_link",
@@ -98,6 +109,33 @@ bool is_square(const Tags& tags) {
          !kNoFootways.count(tag(tags, "footway"));
 }
 
+std::optional<SurfaceKind> cover_of(const Tags& tags) {
+  static const Words greens = {"grass",   "meadow",        "forest",    "village_green", "recreation_ground",
+                               "orchard", "plant_nursery", "cemetery",  "grassland",     "scrub",
+                               "wood",    "heath",         "shrubbery", "allotments",    "flowerbed"};
+  static const Words earths = {"playground", "dog_park", "sand", "beach", "brownfield", "construction"};
+  for (const char* key : {"landuse", "natural", "leisure"}) {
+    if (greens.count(tag(tags, key))) return SurfaceKind::grass;
+    if (earths.count(tag(tags, key))) return SurfaceKind::earth;
+  }
+  if (tag(tags, "leisure") == "pitch") return tag(tags, "surface") == "grass" ? SurfaceKind::grass : SurfaceKind::earth;
+  if (tag(tags, "amenity") == "parking" && (tag(tags, "parking").empty() || tag(tags, "parking") == "surface"))
+    return SurfaceKind::carriageway;
+  return std::nullopt;
+}
+
+bool is_tram(const Tags& tags) {
+  return tag(tags, "railway") == "tram" && !is_below_ground(tags) && !is_yes(tags, "tunnel") && !is_yes(tags, "bridge");
+}
+
+/// A path that people take and that is no axis, because it has no name.
+bool is_drawn_path(const Tags& tags) {
+  const std::string& highway = tag(tags, "highway");
+  return (highway == "footway" || highway == "path" || highway == "cycleway" || highway == "track") &&
+         !kNoFootways.count(tag(tags, "footway")) && !is_yes(tags, "area") && !is_below_ground(tags) &&
+         !is_yes(tags, "tunnel") && !is_yes(tags, "bridge") && !is_inside_house(tags);
+}
+
 }  // namespace
 
 std::optional<Theme> theme_of_polygon(const Tags& tags) {
@@ -111,13 +149,39 @@ std::optional<Theme> theme_of_polygon(const Tags& tags) {
   const std::string& leisure = tag(tags, "leisure");
   if (leisure == "park" || leisure == "garden") return is_closed_to_visitors(tags) ? Theme::plot : Theme::park;
   if (tag(tags, "place") == "plot" || tag(tags, "boundary") == "lot") return Theme::plot;
+  if (cover_of(tags) && !is_below_ground(tags) && !is_inside_house(tags)) return Theme::cover;
   return std::nullopt;
 }
 
 std::optional<Theme> theme_of_line(const Tags& tags) {
   if (is_street(tags)) return Theme::street;
   if (is_barrier(tags)) return Theme::barrier;
+  if (is_tram(tags) || is_drawn_path(tags)) return Theme::track;
   return std::nullopt;
+}
+
+SurfaceKind surface_of(const Tags& tags) {
+  if (is_tram(tags)) return SurfaceKind::rail;
+  return cover_of(tags).value_or(SurfaceKind::path);
+}
+
+double carriageway_m(const Tags& tags) {
+  constexpr double kWidest = 60, kParkedM = 2;
+  const std::string kind = has_tag(tags, "highway") ? tag(tags, "highway") : "unknown";
+  double typical = 0;
+  for (const KindWidth& row : kTypicalCarriageways)
+    if (row.kind == kind) typical = row.metres;
+  if (typical == 0) return 0;
+  if (const auto width = parse_metres(tag(tags, "width")); width && *width > 0 && *width < kWidest) return *width;
+  if (const auto lanes = parse_number(tag(tags, "lanes")); lanes && *lanes >= 1 && *lanes <= 12)
+    return *lanes * kLaneM + (typical > kUnknownWidthM ? 0 : kParkedM);
+  return is_yes(tags, "oneway") && typical < kUnknownWidthM ? typical - 1 : typical;
+}
+
+double track_width_m(const Tags& tags) {
+  if (is_tram(tags)) return kTramGaugeM;
+  const auto width = parse_metres(tag(tags, "width"));
+  return width && *width > 0 && *width < 20 ? *width : kPathWidthM;
 }
 
 std::string kind_of_point(const Tags& tags) {

@@ -10,7 +10,7 @@ namespace vicus {
 /// What a closed way, a multipolygon or a polygon feature is; nothing: nothing we need.
 /// Underground houses (location=underground, layer < 0) are nothing.
 std::optional<Theme> theme_of_polygon(const Tags& tags);
-/// street (an axis: research "which lines are axes") or barrier; nothing: neither.
+/// street (an axis: research "which lines are axes"), barrier or track (only drawn); nothing: none of them.
 std::optional<Theme> theme_of_line(const Tags& tags);
 /// The kind of a mapped point: tree, street_lamp, fountain, bench, door, shop, ...; "" for an untagged one.
 std::string kind_of_point(const Tags& tags);
@@ -22,6 +22,11 @@ bool is_walked_way(const Tags& tags);
 
 /// Carriageway and pavements: `width`, else lanes x 3 m + pavements, else typical for the kind.
 double axis_width_m(const Tags& tags);
+/// From kerb to kerb: `width` of a road, else lanes, else typical for the kind; 0: it has no kerbs.
+double carriageway_m(const Tags& tags);
+/// What a cover or a track is made of. Needs  theme_of_polygon says cover, or theme_of_line track.
+SurfaceKind surface_of(const Tags& tags);
+double track_width_m(const Tags& tags);  ///< of rails: their gauge
 bool is_passage(const Tags& tags);
 /// `layer`, else 1 for a bridge, else 0; -9 .. 9.
 int axis_level(const Tags& tags);

@@ -19,7 +19,9 @@ constexpr double kLeastStreetM = 0.1;
 // No city is wider; a box beyond it holds a feature that is far off.
 constexpr double kWidestCityDeg = 3;
 
-bool is_polygon(Theme theme) { return theme != Theme::street && theme != Theme::barrier && theme != Theme::object; }
+bool is_polygon(Theme theme) {
+  return theme != Theme::street && theme != Theme::barrier && theme != Theme::track && theme != Theme::object;
+}
 bool is_house(Theme theme) { return theme == Theme::building || theme == Theme::part; }
 
 struct DegreeBox {
@@ -129,6 +131,8 @@ class Placer {
       footprint.tags = is_last ? std::move(feature.tags) : feature.tags;
       map_.footprints.push_back(std::move(footprint));
       is_cut_.push_back(feature.is_cut);
+    } else if (feature.theme == Theme::cover) {
+      map_.covers.push_back({feature.source_id, surface_of(feature.tags), std::move(polygon)});
     } else {
       map_.areas.push_back(
           {feature.source_id, tag(feature.tags, "name"), area_kind(feature.theme), std::move(polygon)});
@@ -154,7 +158,11 @@ class Placer {
         issue(IssueCode::street_too_short, "Shorter than 10 cm; left out.", feature.source_id, line[0]);
       return;
     }
-    feature.theme == Theme::street ? add_axis(feature, std::move(line)) : add_barrier(feature, std::move(line));
+    if (feature.theme == Theme::track)
+      map_.tracks.push_back(
+          {feature.source_id, surface_of(feature.tags), track_width_m(feature.tags), std::move(line)});
+    else
+      feature.theme == Theme::street ? add_axis(feature, std::move(line)) : add_barrier(feature, std::move(line));
   }
 
   void add_axis(const RawFeature& feature, Ring line) {
@@ -171,6 +179,7 @@ class Placer {
     axis.name = tag(tags, "name");
     axis.kind = has_tag(tags, "highway") ? tag(tags, "highway") : "unknown";
     axis.width_m = axis_width_m(tags);
+    axis.carriageway_m = carriageway_m(tags);
     axis.is_passage = is_passage(tags);
     axis.is_bridge = is_yes(tags, "bridge");
     axis.is_steps = axis.kind == "steps";

@@ -155,7 +155,7 @@ struct FeatureCollector : osmium::handler::Handler {
   void add_line(const osmium::Way& way, Theme theme, const Tags& tags) {
     const std::string id = way_name(way.id());
     std::vector<LatLon> line = located(way.nodes());
-    if (!is_whole(way.nodes()))
+    if (!is_whole(way.nodes()) && theme != Theme::track)
       issue(IssueCode::incomplete_relation, "Some nodes of this way are missing; it was read without them.", id, line);
     if (theme == Theme::barrier) {
       BarrierWay barrier{map.features.size(), {}};

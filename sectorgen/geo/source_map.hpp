@@ -27,9 +27,10 @@ struct Footprint {
 /// A centre line that makes the ground walkable: street, square's path, passage, steps.
 struct Axis {
   std::string source_id, name;
-  std::string kind;         ///< highway value; "unknown" where the source names none
-  double width_m = 0;       ///< carriageway and pavements as tagged, or typical for the kind; > 0
-  bool is_passage = false;  ///< tunnel=building_passage (or covered)
+  std::string kind;          ///< highway value; "unknown" where the source names none
+  double width_m = 0;        ///< carriageway and pavements as tagged, or typical for the kind; > 0
+  bool is_passage = false;   ///< tunnel=building_passage (or covered)
+  double carriageway_m = 0;  ///< from kerb to kerb; 0: walkers and vehicles share the ground
   bool is_bridge = false, is_steps = false;
   int level = 0;  ///< layer, or 1 for a bridge without one: who passes over whom where two cross without a junction
   std::vector<PlanPoint> line;  ///< >= 2 points, consecutive ones differ
@@ -51,6 +52,21 @@ struct Barrier {
   std::vector<PlanPoint> openings;  ///< barrier=gate, entrance, ... on it
 };
 
+/// What the ground is made of, where the map says so; sectors do not depend on it.
+struct GroundCover {
+  std::string source_id;
+  SurfaceKind kind = SurfaceKind::grass;
+  Polygon area;  ///< valid, as in Footprint
+};
+
+/// The same for a line on the ground: a path that is no axis, the middle of a tram's rails.
+struct Track {
+  std::string source_id;
+  SurfaceKind kind = SurfaceKind::path;  ///< path or rail
+  double width_m = 0;
+  std::vector<PlanPoint> line;
+};
+
 struct PointObject {
   std::string source_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, door, ...
   PlanPoint at;
@@ -64,6 +80,8 @@ struct SourceMap {
   std::vector<Axis> axes;
   std::vector<Area> areas;
   std::vector<Barrier> barriers;
+  std::vector<GroundCover> covers;
+  std::vector<Track> tracks;
   std::vector<PointObject> objects;
   std::vector<Polygon> boundary;  ///< --boundary; empty: the domain is derived
   std::string name;               ///< what the map calls the place; empty: nothing, or several things

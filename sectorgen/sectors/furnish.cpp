@@ -101,7 +101,14 @@ void furnish(const SourceMap& map, const Plan& plan, City& city) {
   for (const auto& o : map.objects) {
     const std::uint32_t c = cell_near(plan, locator, o.at);
     if (c == kNone) continue;  // in a closed courtyard or out of the city
-    StandaloneObject out{object_id(o.source_id), std::to_string(c), o.kind, o.name, o.at, o.height_m, o.tags};
+    StandaloneObject out;
+    out.id = object_id(o.source_id);
+    out.sector_id = std::to_string(c);
+    out.kind = o.kind;
+    out.name = o.name;
+    out.at = o.at;
+    out.height_m = o.height_m;
+    out.tags = o.tags;
     const int n = used[out.id]++;
     if (n > 0) out.id += "-" + std::to_string(n + 1);
     city.objects.push_back(std::move(out));

@@ -131,6 +131,39 @@ std::vector<Polygon> close_gaps(const std::vector<Polygon>& polygons, double dis
   return back ? geos.polygons(back) : polygons;
 }
 
+std::vector<Polygon> offset(const std::vector<Polygon>& polygons, double distance_m, bool is_rounded) {
+  if (polygons.empty()) return {};
+  const Geos geos;
+  const Geos::Ptr all = geos.multi(polygons);
+  if (!all) return {};
+  constexpr int kStepsOf45 = 2;
+  return geos.polygons(
+      geos.own(GEOSBufferWithStyle_r(geos.handle, all.get(), distance_m * kMmPerMetre, kStepsOf45, GEOSBUF_CAP_FLAT,
+                                     is_rounded ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, 2.0)));
+}
+
+std::vector<Polygon> unite(const std::vector<Polygon>& polygons) {
+  if (polygons.empty()) return {};
+  const Geos geos;
+  return geos.polygons(geos.multi(polygons));
+}
+
+std::vector<Polygon> subtract(const std::vector<Polygon>& from, const std::vector<Polygon>& what) {
+  if (from.empty() || what.empty()) return from;
+  const Geos geos;
+  const Geos::Ptr a = geos.multi(from), b = geos.multi(what);
+  if (!a || !b) return from;
+  return geos.polygons(geos.own(GEOSDifference_r(geos.handle, a.get(), b.get())));
+}
+
+std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
+  if (a.empty() || b.empty()) return {};
+  const Geos geos;
+  const Geos::Ptr left = geos.multi(a), right = geos.multi(b);
+  if (!left || !right) return {};
+  return geos.polygons(geos.own(GEOSIntersection_r(geos.handle, left.get(), right.get())));
+}
+
 std::vector<Polygon> subtract(const Polygon& from, const std::vector<Polygon>& what) {
   const Geos geos;
   const Geos::Ptr a = geos.polygon(from), b = geos.multi(what);

@@ -4,7 +4,8 @@
 #include "city_db/city.hpp"
 
 /// Plan operations that make new points, by GEOS, before noding: what they construct is rounded to the lattice, and
-/// sectorgen/geom/noding.hpp makes it consistent with its neighbours. Nothing after noding may call these.
+/// sectorgen/geom/noding.hpp makes it consistent with its neighbours. Nothing after noding may call these, but what
+/// is noded again by itself (models/ground_mesh).
 ///
 /// Frame   plan lattice in and out.   Error  0.71 mm (rounding).
 /// Fails   never: a result that GEOS cannot make is empty.
@@ -24,8 +25,14 @@ std::vector<Polygon> stroke_outlines(const std::vector<Stroke>& strokes, Cap cap
 /// Outlines grown, then shrunk (closing), so that gaps narrower than twice the distance fill.
 std::vector<Polygon> close_gaps(const std::vector<Polygon>& polygons, double distance_m);
 
+/// Grown by `distance_m`, or shrunk where it is negative; corners mitred, or rounded in steps of 45 degrees.
+std::vector<Polygon> offset(const std::vector<Polygon>& polygons, double distance_m, bool is_rounded);
+
 std::vector<Polygon> subtract(const Polygon& from, const std::vector<Polygon>& what);
+std::vector<Polygon> subtract(const std::vector<Polygon>& from, const std::vector<Polygon>& what);
 std::vector<Polygon> intersect(const Polygon& a, const std::vector<Polygon>& b);
+std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<Polygon>& b);
+std::vector<Polygon> unite(const std::vector<Polygon>& polygons);
 
 /// Douglas-Peucker, keeps the ends.
 Line simplify(const Line& line, double tolerance_m);

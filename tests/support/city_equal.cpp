@@ -15,8 +15,9 @@ auto fields(const Gate& g) { return std::tie(g.id, g.sector_id, g.to_sector_id, 
 auto fields(const Border& b) { return std::tie(b.sector_id, b.building_id, b.kind, b.height_m, b.line); }
 auto fields(const SideWall& w) { return std::tie(w.a, w.b, w.bottom_m); }
 auto fields(const Building& b) {
-  return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.base_m, b.height_m, b.eave_m, b.roof_shape,
-                  b.roof_source, b.height_source, b.roof, b.side_walls, b.wall_colour, b.roof_colour, b.tags);
+  return std::tie(b.id, b.source_id, b.name, b.sector_id, b.footprint, b.ground_m, b.foot_m, b.base_m, b.height_m,
+                  b.eave_m, b.roof_shape, b.roof_source, b.height_source, b.roof, b.side_walls, b.wall_colour,
+                  b.roof_colour, b.tags);
 }
 auto fields(const Facade& f) {
   return std::tie(f.sector_id, f.building_id, f.a, f.b, f.bottom_m, f.top_m, f.style, f.floors, f.bays, f.repeats,
@@ -26,8 +27,16 @@ auto fields(const Obstacle& o) { return std::tie(o.kind, o.source_id, o.height_m
 auto fields(const Street& s) {
   return std::tie(s.source_id, s.name, s.kind, s.width_m, s.is_passage, s.is_bridge, s.is_steps, s.line);
 }
-auto fields(const StandaloneObject& o) { return std::tie(o.id, o.sector_id, o.kind, o.name, o.at, o.height_m, o.tags); }
-auto fields(const Viewpoint& v) { return std::tie(v.id, v.sector_id, v.kind, v.name, v.at, v.eye_m, v.heading_deg); }
+auto fields(const StandaloneObject& o) {
+  return std::tie(o.id, o.sector_id, o.kind, o.name, o.at, o.ground_m, o.height_m, o.heading_deg, o.url, o.tags);
+}
+auto fields(const Surface& s) { return std::tie(s.sector_id, s.kind, s.points, s.triangles); }
+auto fields(const RidePoint& p) { return std::tie(p.at, p.ground_m, p.time_s); }
+auto fields(const Ride& r) { return std::tie(r.sector_id, r.kind, r.cycle_s, r.points); }
+auto fields(const Prototype& p) { return std::tie(p.kind, p.points, p.triangles, p.colours); }
+auto fields(const Viewpoint& v) {
+  return std::tie(v.id, v.sector_id, v.kind, v.name, v.at, v.ground_m, v.eye_m, v.heading_deg);
+}
 auto fields(const Visible& v) {
   return std::tie(v.sector_id, v.visible_sector_id, v.reason, v.is_proven, v.building_ids);
 }
@@ -48,6 +57,10 @@ bool operator==(const Facade& a, const Facade& b) { return fields(a) == fields(b
 bool operator==(const Obstacle& a, const Obstacle& b) { return fields(a) == fields(b); }
 bool operator==(const Street& a, const Street& b) { return fields(a) == fields(b); }
 bool operator==(const StandaloneObject& a, const StandaloneObject& b) { return fields(a) == fields(b); }
+bool operator==(const Surface& a, const Surface& b) { return fields(a) == fields(b); }
+bool operator==(const RidePoint& a, const RidePoint& b) { return fields(a) == fields(b); }
+bool operator==(const Ride& a, const Ride& b) { return fields(a) == fields(b); }
+bool operator==(const Prototype& a, const Prototype& b) { return fields(a) == fields(b); }
 bool operator==(const Viewpoint& a, const Viewpoint& b) { return fields(a) == fields(b); }
 bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
 bool operator==(const Terrain& a, const Terrain& b) { return fields(a) == fields(b); }
@@ -85,6 +98,9 @@ std::string difference(const City& a, const City& b) {
   compare("domain", a.domain, b.domain, found);
   compare("streets", a.streets, b.streets, found);
   compare("objects", a.objects, b.objects, found);
+  compare("surfaces", a.surfaces, b.surfaces, found);
+  compare("rides", a.rides, b.rides, found);
+  compare("prototypes", a.prototypes, b.prototypes, found);
   compare("viewpoints", a.viewpoints, b.viewpoints, found);
   compare("visible", a.visible, b.visible, found);
   compare("issues", a.issues, b.issues, found);

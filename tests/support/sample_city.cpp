@@ -256,16 +256,24 @@ void add_things(City& city) {
       {"way/1", kAwkwardName, "residential", 10, false, false, false, {at(-60, 0), at(0, 0), at(26, 0.25), at(60, 0)}},
       {"way/2", "Kreuzgasse", "living_street", 10, false, false, false, {at(0, -39.6), at(0, 0), at(0, 40)}},
       {"way/3", "", "service", 4, true, false, false, {at(26, 0.25), at(26, 22), at(26, 30)}}};
-  city.objects = {{"o-1", "s-main-e", "fountain", "Löwenbrunnen", at(31.5, 0), 2.25, {{"amenity", "fountain"}}},
-                  {"o-2", "s-yard", "tree", "", at(40, 30), 8.5, {{"natural", "tree"}, {"leaf_type", "broadleaved"}}},
-                  {"o-3", "s-main-w", "street_lamp", "", at(-30, 4), 4, {}}};
-  city.viewpoints = {{"v-cross", "s-cross", "start", kAwkwardName, at(0, 0), 1.7, 90},
-                     {"v-main-e", "s-main-e", "gate", kAwkwardName, at(7, 0), 1.7, 90},
-                     {"v-main-w", "s-main-w", "gate", kAwkwardName, at(-7, 0), 1.7, 270},
-                     {"v-north", "s-north", "gate", "Kreuzgasse", at(0, 7), 1.7, 0},
-                     {"v-passage", "s-passage", "gate", "Passage", at(26, 7), 1.6, 0},
-                     {"v-south", "s-south", "gate", "Kreuzgasse", at(0, -7), 1.7, 180},
-                     {"v-yard", "s-yard", "square", "Löwenhof", at(32, 29), 1.7, 247.5}};
+  city.objects = {
+      {"o-1", "s-main-e", "fountain", "Löwenbrunnen", at(31.5, 0), 0, 2.25, 0, "", {{"amenity", "fountain"}}},
+      {"o-2", "s-yard", "tree", "", at(40, 30), 0.25, 8.5, 0, "", {{"natural", "tree"}, {"leaf_type", "broadleaved"}}},
+      {"o-3", "s-main-w", "street_lamp", "", at(-30, 4), 0, 4, 0, "", {}},
+      {"o-4", "s-main-w", "sign", "Café \"Löwe\"", at(-40, 4.94), 0, 3, 180, "https://example.org/?a=1&b=2", {}},
+      {"o-5", "s-main-w", "sign", "Bäckerei", at(-20, 4.94), 0, 3, 180, "", {}}};
+  city.surfaces = {
+      {"s-main-w", SurfaceKind::carriageway, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, 3), -120}}, {0, 1, 2}},
+      {"s-main-w", SurfaceKind::kerb, {{at(-60, -3), -120}, {at(-5, -3), -120}, {at(-5, -3), 0}}, {1, 0, 2}}};
+  city.rides = {{"s-main-w", "tram", 40, {{at(-60, 1), 0, 1.5}, {at(-30, 1), 0.25, 6.5}, {at(-5, 1), 0.25, 10.625}}}};
+  city.prototypes = {{"bench", {{at(0, 0), 0}, {at(1, 0), 0}, {at(0, 1), 500}}, {0, 1, 2}, {{10, 20, 30}}}};
+  city.viewpoints = {{"v-cross", "s-cross", "start", kAwkwardName, at(0, 0), 0, 1.7, 90},
+                     {"v-main-e", "s-main-e", "gate", kAwkwardName, at(7, 0), 0, 1.7, 90},
+                     {"v-main-w", "s-main-w", "gate", kAwkwardName, at(-7, 0), 0, 1.7, 270},
+                     {"v-north", "s-north", "gate", "Kreuzgasse", at(0, 7), 0, 1.7, 0},
+                     {"v-passage", "s-passage", "gate", "Passage", at(26, 7), 0, 1.6, 0},
+                     {"v-south", "s-south", "gate", "Kreuzgasse", at(0, -7), 0, 1.7, 180},
+                     {"v-yard", "s-yard", "square", "Löwenhof", at(32, 29), 0.25, 1.7, 247.5}};
   city.issues = {
       {IssueCode::ring_self_intersection, "the ring crosses itself; the larger part was kept", "way/1009", at(45, -15)},
       {IssueCode::no_height, "no height: guessed from the neighbours", "way/1001", at(-46, 12)}};

@@ -68,11 +68,19 @@ std::vector<std::string> attributes_in(const std::string& x3d, const std::string
 
 std::vector<ReadFace> faces_in(const std::string& x3d) {
   std::vector<ReadFace> faces;
-  const auto shapes = attributes_in(x3d, "Shape", "DEF"), indices = attributes_in(x3d, "IndexedFaceSet", "coordIndex"),
-             points = attributes_in(x3d, "Coordinate", "point");
-  if (shapes.size() != indices.size() || shapes.size() != points.size())
-    throw std::runtime_error("shapes, index lists and coordinates differ in number");
-  for (std::size_t i = 0; i < shapes.size(); ++i) add_faces(faces, shapes[i], indices[i], points[i]);
+  int depth = 0;  // of Transforms
+  for (std::size_t at = 0; (at = x3d.find('<', at)) != std::string::npos; ++at) {
+    if (x3d.compare(at, 11, "<Transform ") == 0 && x3d[x3d.find('>', at) - 1] != '/') ++depth;
+    if (x3d.compare(at, 12, "</Transform>") == 0) --depth;
+    if (x3d.compare(at, 6, "<Shape") != 0 || depth > 0) continue;
+    const std::string tag = x3d.substr(at, x3d.find('>', at) - at + 1);
+    if (!attribute_of(tag, "USE").empty()) throw std::runtime_error("a Shape used again in the sector's own frame");
+    const std::string shape = x3d.substr(at, x3d.find("</Shape>", at) - at);
+    const auto indices = attributes_in(shape, "IndexedFaceSet", "coordIndex"),
+               points = attributes_in(shape, "Coordinate", "point");
+    if (indices.size() != 1 || points.size() != 1) throw std::runtime_error("a Shape without one face set");
+    add_faces(faces, attribute_of(tag, "DEF"), indices[0], points[0]);
+  }
   return faces;
 }
 

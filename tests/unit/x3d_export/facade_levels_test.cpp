@@ -48,7 +48,7 @@ struct Built {
 
 Built built(const Facade& facade) {
   Built out;
-  add_facade(facade, {200, 180, 160}, {0, 0}, 0, out.levels);
+  add_facade(facade, {200, 180, 160}, 0, {0, 0}, 0, out.levels);
   return out;
 }
 

@@ -148,3 +148,18 @@ test('a stall carries nobody away', () => {
     walkerIn(view).step({ ...kStill, forward: 1, run: true }, 60);
     assert.ok(view.at.east - 20 < 1.5);
 });
+
+test('the eye follows a kerb and steps, and keeps its height where the ground is unknown', () => {
+    const slab = (from, to, up) => ({ points: [[from, 0, up], [to, 0, up], [to, 10000, up], [from, 10000, up]], triangles: [0, 1, 2, 0, 2, 3] });
+    const view = viewAt(20, 5), walker = new Walker(view);
+    walker.setGround(streetRecords().map(record => ({ ...record, surface: slab(0, 21000, 0) })));
+    walker.heights = new walker.heights.constructor([slab(0, 21000, 0), slab(21000, 22000, 120), slab(22000, 23000, 300)]);
+    seconds(walker, { forward: 1 }, 0.9);
+    assert.ok(view.at.up > 1.75, `${view.at.up}`);
+    seconds(walker, { forward: 1 }, 0.4);
+    assert.ok(Math.abs(view.at.up - 2) < 0.05, `${view.at.up}`);
+    const before = view.at.up;
+    walker.heights = new walker.heights.constructor([]);
+    seconds(walker, { forward: 1 }, 0.5);
+    assert.equal(view.at.up, before);
+});

@@ -57,7 +57,7 @@ TEST(LayOutFacades, TheDoorIsInTheStreetFrontUnlessTheMapHasOne) {
   lay_out_facades(city);
   EXPECT_EQ(facade_in(city, "street").door_bay, 2);
   EXPECT_EQ(facade_in(city, "yard").door_bay, -1);
-  city.objects.push_back({"d", "yard", "door", "", at(7.5, 9.8), 0, {}});
+  city.objects.push_back({"d", "yard", "door", "", at(7.5, 9.8), 0, 0, 0, {}, {}});
   lay_out_facades(city);
   EXPECT_EQ(facade_in(city, "street").door_bay, -1);
   EXPECT_EQ(facade_in(city, "yard").door_bay, 0) << "from the left seen from the north is the east";
@@ -65,7 +65,7 @@ TEST(LayOutFacades, TheDoorIsInTheStreetFrontUnlessTheMapHasOne) {
 
 TEST(LayOutFacades, AShopIsInTheFacadeNearestToIt) {
   City city = one_house();
-  city.objects.push_back({"s", "street", "shop", "Bakery", at(5, 3), 0, {}});
+  city.objects.push_back({"s", "street", "shop", "Bakery", at(5, 3), 0, 0, 0, {}, {}});
   lay_out_facades(city);
   EXPECT_TRUE(facade_in(city, "street").has_shop);
   EXPECT_FALSE(facade_in(city, "yard").has_shop);
