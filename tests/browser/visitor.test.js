@@ -130,22 +130,20 @@ test(`what else a visitor of ${name} can do`, { timeout: 900000 }, async t => {
         await nearby(visitor);
         await page.keyboard.press('KeyB');
         const before = (await visitor.now()).pose, press = label => page.locator(`#pad [aria-label="${label}"]`);
+        const until = (say, condition) => page.waitForFunction(condition, before, { timeout: 30000 }).catch(() => assert.fail(say));
         await press('Forward').click({ delay: 700 });
-        await page.waitForTimeout(800);
-        const walked = (await visitor.now()).pose;
-        assert.ok(Math.hypot(walked.east - before.east, walked.north - before.north) > 0.5, 'forward');
+        await until('forward', ({ east, north }) => {
+            const pose = window.vicus.view.pose();
+            return Math.hypot(pose.east - east, pose.north - north) > 0.4;
+        });
         await press('Turn right').focus();
         await page.keyboard.press('Enter');
-        await page.waitForTimeout(800);
-        const turned = (await visitor.now()).pose;
-        assert.ok(turned.heading - walked.heading > 0.2, 'turn right');
+        await until('turn right', ({ heading }) => window.vicus.view.pose().heading - heading > 0.2);
         await press('Look up').click({ delay: 400 });
-        await page.waitForTimeout(600);
-        assert.ok((await visitor.now()).pose.pitch > 0.1, 'look up');
+        await until('look up', () => window.vicus.view.pose().pitch > 0.1);
         await shoot(page, 'buttons');
         await press('Look straight ahead').click();
-        await page.waitForTimeout(300);
-        assert.ok(Math.abs((await visitor.now()).pose.pitch) < 0.01, 'level');
+        await until('level', () => Math.abs(window.vicus.view.pose().pitch) < 0.01);
         await page.close();
     });
 
