@@ -63,7 +63,7 @@ TEST(FormatMd, NamesEveryTableColumnAndMetaKey) {
   write_city(path, test::sample_city(), nullptr);
   const std::string text = format_md();
   const auto tables = query(path, "SELECT table_name FROM gpkg_contents");
-  EXPECT_EQ(tables.size(), 16u);
+  EXPECT_EQ(tables.size(), 19u);
   for (const auto& table : tables) {
     EXPECT_NE(text.find(table[0]), std::string::npos) << table[0];
     if (table[0] == "layer_styles") continue;
@@ -179,7 +179,7 @@ TEST(GeoPackage, PlacesItsOriginWhereItIs) {
   if (std::system("command -v ogr2ogr >/dev/null 2>&1") != 0) GTEST_SKIP() << "ogr2ogr is not installed";
   ScratchDirectory scratch;
   City city = test::sample_city();
-  city.objects = {{"o", "s-cross", "tree", "", {0, 0}, 1, {}}};
+  city.objects = {{.id = "o", .sector_id = "s-cross", .kind = "tree", .at = {0, 0}, .ground_m = 1}};
   write_city(scratch / "city.gpkg", city, nullptr);
   int rc = -1;
   const std::string json = run("ogr2ogr -f GeoJSON -t_srs EPSG:4326 -lco COORDINATE_PRECISION=9 /vsistdout/ '" +

@@ -53,8 +53,18 @@ TEST(Axes, AreNotAreasTunnelsPavementsAndWhatIsPrivate) {
            Tags{{"highway", "path"}},
            Tags{{"highway", "steps"}, {"level", "0;1"}},
            Tags{{"highway", "steps"}, {"conveying", "yes"}},
-           Tags{{"railway", "tram"}, {"name", "Line 4"}},
        })
+    EXPECT_NE(theme_of_line(tags), Theme::street) << text_of(tags);
+}
+
+TEST(Tracks, AreUnnamedPathsAndTramRailsOnTheGround) {
+  for (const Tags& tags : {Tags{{"highway", "footway"}}, Tags{{"highway", "path"}},
+                           Tags{{"railway", "tram"}, {"name", "Line 4"}}, Tags{{"highway", "cycleway"}}})
+    EXPECT_EQ(theme_of_line(tags), Theme::track) << text_of(tags);
+  for (const Tags& tags :
+       {Tags{{"highway", "footway"}, {"footway", "sidewalk"}}, Tags{{"highway", "footway"}, {"indoor", "yes"}},
+        Tags{{"highway", "path"}, {"layer", "-1"}}, Tags{{"railway", "tram"}, {"tunnel", "yes"}},
+        Tags{{"railway", "tram"}, {"bridge", "yes"}}, Tags{{"railway", "rail"}}})
     EXPECT_FALSE(theme_of_line(tags)) << text_of(tags);
 }
 
