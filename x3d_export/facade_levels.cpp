@@ -10,6 +10,9 @@ namespace vicus {
 namespace {
 
 constexpr int kDeepFloors = 10;
+/// Bands lie so far over the piers, with the same image: corners on whole millimetres are not quite on a slanting line,
+/// and without it one sees through between them.
+constexpr double kSeam_m = 0.002;
 constexpr std::size_t kBalconyTriangles = 10, kSillTriangles = 6;
 
 Colour shaded(Colour c, double k) {
@@ -77,7 +80,7 @@ class FacadeBuilder {
         low = std::min(low, openings_[end].z0);
         high = std::max(high, openings_[end].z1);
       }
-      under_image(level, 0, frame_.length_m(), band, low);
+      under_image(level, 0, frame_.length_m(), under(band), low + kSeam_m);
       double x = 0;
       for (; i < end; ++i) {
         const Opening& o = openings_[i];
@@ -90,7 +93,7 @@ class FacadeBuilder {
       under_image(level, x, frame_.length_m(), low, high);
       band = high;
     }
-    under_image(level, 0, frame_.length_m(), band, facade_.top_m);
+    under_image(level, 0, frame_.length_m(), under(band), facade_.top_m);
     reveals(level);
   }
 
@@ -144,6 +147,8 @@ class FacadeBuilder {
             {{{t.u0, t.v0}, {t.u1, t.v0}, {t.u1, t.v1}, {t.u0, t.v1}}}};
   }
 
+  /// The lower edge of a band above piers.
+  double under(double z) const { return z > facade_.bottom_m ? z - kSeam_m : z; }
   double depth_m() const { return figures_of(facade_.style).depth; }
 
   /// The sides of the openings of the deep floors, behind the wall.

@@ -179,7 +179,11 @@ TEST(GeoPackage, PlacesItsOriginWhereItIs) {
   if (std::system("command -v ogr2ogr >/dev/null 2>&1") != 0) GTEST_SKIP() << "ogr2ogr is not installed";
   ScratchDirectory scratch;
   City city = test::sample_city();
-  city.objects = {{.id = "o", .sector_id = "s-cross", .kind = "tree", .at = {0, 0}, .ground_m = 1}};
+  StandaloneObject tree;
+  tree.id = "o";
+  tree.sector_id = "s-cross";
+  tree.kind = "tree";
+  city.objects = {tree};
   write_city(scratch / "city.gpkg", city, nullptr);
   int rc = -1;
   const std::string json = run("ogr2ogr -f GeoJSON -t_srs EPSG:4326 -lco COORDINATE_PRECISION=9 /vsistdout/ '" +
