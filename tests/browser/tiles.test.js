@@ -31,6 +31,7 @@ const look = (heading, pitch, range) => {
     const { center } = tileset.boundingSphere;
     const place = Cesium.Transforms.eastNorthUpToFixedFrame(center);
     widget.camera.lookAtTransform(place, new Cesium.HeadingPitchRange(heading, pitch, range));
+    window.quietSince = 0;
 };
 window.vicus = { widget, tileset, look };
 </script>`;
@@ -60,7 +61,7 @@ async function assertDrawn(tiles) {
         const { page, complaints } = await openTab(browser.context);
         await page.goto(`${server.origin}/`);
         await page.waitForFunction(() => window.vicus, null, { timeout: 120000 });
-        for (const [shot, ...view] of [['tiles-above', 0.4, -0.7, 420], ['tiles-near', 0.8, -0.3, 60]]) {
+        for (const [shot, ...view] of [['tiles-above', 0.4, -0.7, 420], ['tiles-near', 3.6, -0.3, 70]]) {
             await page.evaluate(view => window.vicus.look(...view), view);
             // A new view is noticed in the next frame only.
             await page.waitForFunction(() => {
@@ -75,6 +76,7 @@ async function assertDrawn(tiles) {
             }
             assert.ok(colours.covered > 0.3, `${shot}: the city covers ${colours.covered} of the window`);
             assert.ok(colours.kinds > 30, `${shot}: ${colours.kinds} colours`);
+            if (shot === 'tiles-near') assert.ok(await page.evaluate(nearTiles) > 0, 'no tile is refined close by');
         }
         assert.deepEqual(await page.evaluate(() => window.failed), []);
         assert.deepEqual(complaints, []);
@@ -82,6 +84,11 @@ async function assertDrawn(tiles) {
         await browser.close();
         await server.stop();
     }
+}
+
+/** Tiles drawn with their facades. */
+function nearTiles() {
+    return window.vicus.tileset._selectedTiles.filter(tile => !tile._contentResource.url.includes('.far.')).length;
 }
 
 /** Share of pixels that are not the white background, and colours in steps of 16. */
