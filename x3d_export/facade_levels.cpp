@@ -151,7 +151,7 @@ class FacadeBuilder {
   double under(double z) const { return z > facade_.bottom_m ? z - kSeam_m : z; }
   double depth_m() const { return figures_of(facade_.style).depth; }
 
-  /// The sides of the openings of the deep floors, behind the wall.
+  /// The sides of the openings of the deep floors; they begin behind the wall, or else their edges would show on it.
   void reveals(LevelFaces& level) const {
     std::vector<Opening> deep_ones;
     std::copy_if(openings_.begin(), openings_.end(), std::back_inserter(deep_ones),
@@ -159,12 +159,13 @@ class FacadeBuilder {
     const RevealStrips strips = reveal_strips(deep_ones);
     const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
     for (const auto& s : strips.left)
-      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), 0, false, side);
+      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), -kSeam_m, false, side);
     for (const auto& s : strips.right)
-      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), 0, true, side);
+      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), -kSeam_m, true, side);
     for (const auto& s : strips.sill)
-      upper_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), 0, stone_);
-    for (const auto& s : strips.head) under_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), 0, top);
+      upper_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), -kSeam_m, stone_);
+    for (const auto& s : strips.head)
+      under_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), -kSeam_m, top);
   }
 
   /// Old stone houses have them on the second and the last floor, others now and then.
