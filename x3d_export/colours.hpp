@@ -7,6 +7,8 @@ namespace vicus {
 
 Colour ground_colour(SectorKind kind);
 Colour surface_colour(SurfaceKind kind);
+/// Each channel times k >= 0, at most 255.
+Colour shaded(Colour c, double k);
 
 inline constexpr Colour kWallColour{150, 140, 126};
 inline constexpr Colour kFenceColour{96, 88, 76};

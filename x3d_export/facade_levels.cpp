@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "x3d_export/colours.hpp"
 #include "x3d_export/reveal_strips.hpp"
 #include "x3d_export/wall_frame.hpp"
 
@@ -14,11 +15,6 @@ constexpr int kDeepFloors = 10;
 /// and without it one sees through between them.
 constexpr double kSeam_m = 0.002;
 constexpr std::size_t kBalconyTriangles = 10, kSillTriangles = 6;
-
-Colour shaded(Colour c, double k) {
-  const auto channel = [k](std::uint8_t v) { return static_cast<std::uint8_t>(std::min(255.0, v * k)); };
-  return {channel(c.r), channel(c.g), channel(c.b)};
-}
 
 class FacadeBuilder {
  public:

@@ -7,6 +7,7 @@
 
 #include "x3d_export/draco_mesh.hpp"
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -45,6 +46,8 @@ Content content_of(const CityIndex& index, const Sector& sector, Detail detail) 
     list.insert(list.end(), layer.faces.begin(), layer.faces.end());
   }
   if (detail == Detail::far) return content;
+  const auto objects = object_faces(index, sector);
+  content.solid.insert(content.solid.end(), objects.begin(), objects.end());
   LevelFaces facades = sector_facades(index, sector, kImageLevel);
   content.solid.insert(content.solid.end(), facades.solid.begin(), facades.solid.end());
   for (auto& [image, face] : facades.own_images) content.by_image[image].push_back(face);

@@ -17,9 +17,9 @@ namespace vicus {
 /// PNG by texture id.   Fails  CityError: there is none.
 using ImageSource = std::function<std::string(const std::string& id)>;
 
-/// near: ground, houses with facades of level 3 (images), barriers, objects. far: as the far X3D file.
-/// Its one node is named after the sector; extras: "sector", "name", "kind", "houses" (ids). Copyright: the licences.
-/// Needs   detail is near or far.   Fails  CityError: an image is missing.
+/// near: ground, houses with facades of level 3 (images), barriers, objects at rest and signs. far: as the far X3D
+/// file. Its one node is named after the sector; extras: "sector", "name", "kind", "houses" (ids). Copyright: the
+/// licences. Needs   detail is near or far.   Fails  CityError: an image is missing.
 std::string sector_glb(const CityIndex& index, const Sector& sector, Detail detail, const ImageSource& image);
 
 /// Bounds of what sector_glb holds, metres in the sector's frame: min x, y, z, max x, y, z.

@@ -37,14 +37,16 @@ std::vector<double> place_of(PlanPoint at, double up_m, PlanPoint origin) {
   return {metres(p.x), metres(p.y), metres(p.z)};
 }
 
-/// Turn that lets a front that looks south look along the heading.
-double yaw_of(double heading_deg) { return (180 - heading_deg) * std::numbers::pi / 180; }
+/// Turn about up that lets a front that looks south look along the heading; trees and what has no heading stay.
+double turn_of(const StandaloneObject& object) {
+  if (object.kind == "tree" || object.heading_deg == 0) return 0;
+  return (180 - object.heading_deg) * std::numbers::pi / 180;
+}
 
 Node placed(const StandaloneObject& object, const ObjectModel& model, PlanPoint origin) {
   Node place("Transform");
   place.set("translation", place_of(object.at, object.ground_m, origin));
-  if (object.kind != "tree" && object.heading_deg != 0)
-    place.set("rotation", std::vector<double>{0, 1, 0, yaw_of(object.heading_deg)});
+  if (const double turn = turn_of(object); turn != 0) place.set("rotation", std::vector<double>{0, 1, 0, turn});
   if (const auto [across, up] = scale_of(model, object); across != 1 || up != 1)
     place.set("scale", std::vector<double>{across, up, across});
   return place;
@@ -202,8 +204,27 @@ std::vector<const StandaloneObject*> plain_objects(const CityIndex& index, const
   return out;
 }
 
-std::vector<const StandaloneObject*> far_objects(const CityIndex& index, const Sector& sector) {
-  return index.objects_of(sector.id);
+std::vector<Face> object_faces(const CityIndex& index, const Sector& sector) {
+  std::vector<Face> faces;
+  std::size_t count = 0;
+  for (const StandaloneObject* object : index.objects_of(sector.id)) {
+    const ObjectModel model = model_of(index, *object);
+    if (model.faces.empty()) continue;
+    if (++count > kMostInstances) break;
+    const auto [across, up] = scale_of(model, *object);
+    const double yaw = turn_of(*object), c = std::cos(yaw), s = std::sin(yaw);
+    const X3dPoint foot = x3d_from_plan(object->at, height_mm(object->ground_m), sector.origin);
+    for (Face face : model.faces) {
+      for (X3dPoint& p : face.corners) {
+        const double x = metres(p.x) * across, z = metres(p.z) * across;
+        p = {foot.x + lattice_mm(x * c + z * s), foot.y + lattice_mm(metres(p.y) * up),
+             foot.z + lattice_mm(z * c - x * s)};
+      }
+      faces.push_back(face);
+    }
+  }
+  for (const auto& [sign, board] : sign_faces(index, sector)) faces.insert(faces.end(), board.begin(), board.end());
+  return faces;
 }
 
 }  // namespace vicus

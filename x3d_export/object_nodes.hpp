@@ -1,7 +1,9 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "x3d_export/city_index.hpp"
+#include "x3d_export/mesh.hpp"
 #include "x3d_export/writers.hpp"
 
 /// What stands in a near sector file (paper 004 §4.1.5): static (one Shape of a model, USEd by every instance),
@@ -23,10 +25,13 @@ ObjectNodes object_nodes(const CityIndex& index, const Sector& sector, SceneForm
 
 /// Objects that come as prisms: beyond kMostInstances.
 std::vector<const StandaloneObject*> plain_objects(const CityIndex& index, const Sector& sector);
-/// Objects that a far file may show.
-std::vector<const StandaloneObject*> far_objects(const CityIndex& index, const Sector& sector);
+/// What object_nodes places, at rest and with its signs, for formats without instances. Frame   the sector's own.
+std::vector<Face> object_faces(const CityIndex& index, const Sector& sector);
 
 /// The boards of signs with their letters, as Shapes; those with a web address each in an Anchor that opens it.
 std::vector<Node> sign_nodes(const CityIndex& index, const Sector& sector);
+/// The boards with their letters as faces, sign by sign; signs whose name has no letters of ours are left out.
+std::vector<std::pair<const StandaloneObject*, std::vector<Face>>> sign_faces(const CityIndex& index,
+                                                                              const Sector& sector);
 
 }  // namespace vicus

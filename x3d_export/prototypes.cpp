@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "city_db/steady_hash.hpp"
+#include "x3d_export/colours.hpp"
 
 namespace vicus {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 constexpr Colour kIron{52, 58, 58}, kWood{136, 100, 66}, kStone{182, 176, 164}, kBronze{82, 98, 88},
     kWater{128, 166, 184}, kRed{182, 52, 42}, kYellow{228, 188, 46}, kGlass{232, 226, 204}, kGlow{255, 232, 160},
     kPoster{204, 184, 148}, kTrunk{92, 74, 58}, kPale{226, 224, 218};
-
-Colour shaded(Colour c, double k) {
-  const auto channel = [k](std::uint8_t v) { return static_cast<std::uint8_t>(std::min(255.0, v * k)); };
-  return {channel(c.r), channel(c.g), channel(c.b)};
-}
 
 /// Faces around the foot of an object; x east, y north, z up in metres.
 class ModelMaker {

@@ -134,8 +134,8 @@ void add_barriers(FaceList& faces, const CityIndex& index, const GroundLevels& g
 
 /// Objects beyond those that have a Shape of their own, and from afar the larger trees.
 void add_objects(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
-  const auto plain = detail == Detail::near ? plain_objects(index, sector) : far_objects(index, sector);
-  for (const StandaloneObject* object : plain) {
+  for (const StandaloneObject* object :
+       detail == Detail::near ? plain_objects(index, sector) : index.objects_of(sector.id)) {
     faces.set_lift(object->ground_m);
     for (const auto& s : detail == Detail::near ? spindles_of(*object) : far_spindles_of(*object))
       faces.add_spindle(object->at, s.sides, s.radius_low_m, s.radius_high_m, s.low_m, s.high_m, s.colour);

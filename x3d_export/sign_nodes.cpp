@@ -81,14 +81,21 @@ std::vector<Face> board_of(const StandaloneObject& sign, const std::string& text
 
 }  // namespace
 
-std::vector<Node> sign_nodes(const CityIndex& index, const Sector& sector) {
-  std::vector<Node> nodes;
-  std::vector<Face> plain;
+std::vector<std::pair<const StandaloneObject*, std::vector<Face>>> sign_faces(const CityIndex& index,
+                                                                              const Sector& sector) {
+  std::vector<std::pair<const StandaloneObject*, std::vector<Face>>> signs;
   for (const StandaloneObject* sign : index.objects_of(sector.id)) {
     if (sign->kind != "sign") continue;
     const std::string text = sign_text(sign->name, kMostLetters);
-    if (text.empty()) continue;
-    const auto faces = board_of(*sign, text, sector.origin);
+    if (!text.empty()) signs.emplace_back(sign, board_of(*sign, text, sector.origin));
+  }
+  return signs;
+}
+
+std::vector<Node> sign_nodes(const CityIndex& index, const Sector& sector) {
+  std::vector<Node> nodes;
+  std::vector<Face> plain;
+  for (const auto& [sign, faces] : sign_faces(index, sector)) {
     if (sign->url.empty()) {
       plain.insert(plain.end(), faces.begin(), faces.end());
       continue;

@@ -3,12 +3,16 @@
 #include <draco/compression/decode.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "city_db/issues.hpp"
 #include "tests/support/sample_city.hpp"
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/object_nodes.hpp"
+#include "x3d_export/prototypes.hpp"
 
 namespace vicus {
 namespace {
@@ -97,6 +101,8 @@ TEST(SectorGlb, HoldsEveryTriangleToTheMillimetre) {
       for (const Layer& layer : sector_layers(index, sector, detail))
         for (const Face& face : layer.faces) add_fan(expected, face, static_cast<std::size_t>(face.count));
       if (detail == Detail::near) {
+        for (const Face& face : object_faces(index, sector))
+          add_fan(expected, face, static_cast<std::size_t>(face.count));
         const LevelFaces facades = sector_facades(index, sector, 3);
         for (const Face& face : facades.solid) add_fan(expected, face, static_cast<std::size_t>(face.count));
         for (const TexturedFace& face : facades.atlas) add_fan(expected, face, 4);
@@ -104,6 +110,27 @@ TEST(SectorGlb, HoldsEveryTriangleToTheMillimetre) {
       }
       EXPECT_EQ(triangles_of(opened(sector_glb(index, sector, detail, some_image))), expected) << sector.id;
     }
+}
+
+/// Where an X3D file places instances, a GLB has the faces themselves: as high as the object, about its foot.
+TEST(SectorGlb, NearHasWhatStandsInTheStreet) {
+  const City city = test::sample_city_with_facades();
+  const CityIndex index(city);
+  std::size_t count = 0;
+  for (const StandaloneObject& object : city.objects) {
+    const ObjectModel model = model_of(index, object);
+    if (model.faces.empty()) continue;
+    const Sector& sector = *index.sector(object.sector_id);
+    const X3dPoint foot = x3d_from_plan(object.at, height_mm(object.ground_m), sector.origin);
+    std::int32_t top = 0;
+    for (const auto& triangle : triangles_of(opened(sector_glb(index, sector, Detail::near, some_image))))
+      for (const X3dPoint& p : triangle)
+        if (std::hypot(p.x - foot.x, p.z - foot.z) < 1500) top = std::max(top, p.y - foot.y);
+    const double expected_m = model.height_m * scale_of(model, object).second;
+    EXPECT_GE(metres(top), 0.7 * expected_m) << object.id << ", a " << object.kind;
+    ++count;
+  }
+  EXPECT_GE(count, 2u);
 }
 
 TEST(SectorGlb, CarriesImagesIdsAndLicences) {
