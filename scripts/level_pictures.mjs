@@ -1,4 +1,4 @@
-// One house in its four levels of detail beside each other, as in paper 004, figure 5:
+// The facades of one house in its four levels of detail beside each other, as in paper 004, figure 5:
 //   node scripts/level_pictures.mjs VICUS CITY.gpkg ADDRESS SECTOR N OUT.png
 // ADDRESS: where `vicus serve CITY.gpkg` runs, for X_ITE and the textures. N: the N-th LOD node of the sector's files.
 import { execFileSync } from 'node:child_process';
