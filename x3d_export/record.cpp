@@ -116,7 +116,8 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
   for (const auto& object : source.objects_of(sector.id))
     if (const double radius_m = body_radius_m(object); radius_m > 0) record.bodies.push_back({object.at, radius_m});
   for (const auto& object : source.objects_of(sector.id))
-    if (!object.name.empty()) record.places.push_back({object.kind, object.name, object.at});
+    // A sign bears the name of the shop behind it, which is a place itself.
+    if (!object.name.empty() && object.kind != "sign") record.places.push_back({object.kind, object.name, object.at});
   return record;
 }
 

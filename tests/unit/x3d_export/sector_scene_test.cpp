@@ -328,6 +328,20 @@ TEST(SectorRecord, ListsImportantSectorsAndPlacesThatBearAName) {
   EXPECT_EQ(nlohmann::json::parse(record_json(cross))["places"].size(), named);
 }
 
+TEST(SectorRecord, NamesAShopOnceAndNotItsSignToo) {
+  City city = test::sample_city();
+  StandaloneObject shop;
+  shop.id = "o-shop";
+  shop.sector_id = "s-main-w";
+  shop.kind = "shop";
+  shop.name = "Bäckerei";
+  city.objects.push_back(shop);
+  const CityIndex index(city);
+  const SectorRecord record = sector_record(source_of(index), *index.sector("s-main-w"), 0);
+  ASSERT_EQ(record.places.size(), 1u) << "signs are no places";
+  EXPECT_EQ(record.places.front().kind, "shop");
+}
+
 TEST(SectorFiles, HoldTheRecordInAnAnchorInVrml97) {
   const Sample sample;
   const auto text =
