@@ -1,19 +1,14 @@
 #include "x3d_export/facade_levels.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "x3d_export/colours.hpp"
-#include "x3d_export/reveal_strips.hpp"
 #include "x3d_export/wall_frame.hpp"
 
 namespace vicus {
 namespace {
 
 constexpr int kDeepFloors = 10;
-/// Bands lie so far over the piers, with the same image: corners on whole millimetres are not quite on a slanting line,
-/// and without it one sees through between them.
-constexpr double kSeam_m = 0.002;
 constexpr std::size_t kBalconyTriangles = 10, kSillTriangles = 6;
 
 class FacadeBuilder {
@@ -76,21 +71,20 @@ class FacadeBuilder {
         low = std::min(low, openings_[end].z0);
         high = std::max(high, openings_[end].z1);
       }
-      under_image(level, 0, frame_.length_m(), under(band), low + kSeam_m);
+      under_image(level, 0, frame_.length_m(), band, low);
       double x = 0;
       for (; i < end; ++i) {
         const Opening& o = openings_[i];
         under_image(level, x, o.x0, low, high);
         under_image(level, o.x0, o.x1, low, o.z0);
         under_image(level, o.x0, o.x1, o.z1, high);
-        level.atlas.push_back(image_face(o, -depth_m()));
+        recess(level, o);
         x = o.x1;
       }
       under_image(level, x, frame_.length_m(), low, high);
       band = high;
     }
-    under_image(level, 0, frame_.length_m(), under(band), facade_.top_m);
-    reveals(level);
+    under_image(level, 0, frame_.length_m(), band, facade_.top_m);
   }
 
   /// Openings floor by floor, from the left.
@@ -143,25 +137,14 @@ class FacadeBuilder {
             {{{t.u0, t.v0}, {t.u1, t.v0}, {t.u1, t.v1}, {t.u0, t.v1}}}};
   }
 
-  /// The lower edge of a band above piers.
-  double under(double z) const { return z > facade_.bottom_m ? z - kSeam_m : z; }
-  double depth_m() const { return figures_of(facade_.style).depth; }
-
-  /// The sides of the openings of the deep floors; they begin behind the wall, or else their edges would show on it.
-  void reveals(LevelFaces& level) const {
-    std::vector<Opening> deep_ones;
-    std::copy_if(openings_.begin(), openings_.end(), std::back_inserter(deep_ones),
-                 [](const Opening& o) { return o.floor < kDeepFloors; });
-    const RevealStrips strips = reveal_strips(deep_ones);
+  void recess(LevelFaces& level, const Opening& o) const {
+    const double depth = figures_of(facade_.style).depth;
     const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
-    for (const auto& s : strips.left)
-      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), -kSeam_m, false, side);
-    for (const auto& s : strips.right)
-      cheek(level, metres(s.at), metres(s.from), metres(s.to), -depth_m(), -kSeam_m, true, side);
-    for (const auto& s : strips.sill)
-      upper_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), -kSeam_m, stone_);
-    for (const auto& s : strips.head)
-      under_side(level, metres(s.from), metres(s.to), metres(s.at), -depth_m(), -kSeam_m, top);
+    cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
+    cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);
+    upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
+    under_side(level, o.x0, o.x1, o.z1, -depth, 0, top);
+    level.atlas.push_back(image_face(o, -depth));
   }
 
   /// Old stone houses have them on the second and the last floor, others now and then.
