@@ -28,11 +28,11 @@ struct CutOptions {
 
 /// Street and junction cells from the used edges, yards behind them.
 /// Differs ties are broken by coordinates; kerbs bound a street; gaps between detached houses lead into yards.
-Cells cut_cells(const Ground& ground, const Routes& routes, const CutOptions& options);
+Cells cut_cells(const Ground& ground, const StreetRoutes& routes, const CutOptions& options);
 
 /// Joins what a person would not have cut: small crossroads with one of their streets, wedges, slivers, short pieces of
 /// one street.
-void merge_cells(const Ground& ground, const Routes& routes, Cells& cells);
+void merge_cells(const Ground& ground, const StreetRoutes& routes, Cells& cells);
 
 /// Cells longer than 240 m, mostly open ground, are cut in pieces of about 200 m, each cut the cheapest near its place:
 /// short, along plot lines and outlines rather than across the grass. What is cut depends on the cell alone, so an edit

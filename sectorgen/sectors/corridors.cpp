@@ -33,8 +33,8 @@ std::int64_t chord_cost(const Ground& g, std::uint32_t t, int k, bool across_isl
 }
 
 /// Follows used edges from triangle t through side k until a triangle that has not exactly two.
-Corridor follow(const Ground& g, const Routes& r, std::uint32_t t, int k, const std::vector<std::uint32_t>& across,
-                std::vector<char>& visited) {
+Corridor follow(const Ground& g, const StreetRoutes& r, std::uint32_t t, int k,
+                const std::vector<std::uint32_t>& across, std::vector<char>& visited) {
   Corridor c;
   c.triangles.push_back(t);
   const std::uint32_t start = t;
@@ -263,7 +263,7 @@ std::vector<std::uint32_t> edges_across_islands(const Ground& g) {
   return out;
 }
 
-std::vector<Corridor> find_corridors(const Ground& g, const Routes& r, const std::vector<std::uint32_t>& across) {
+std::vector<Corridor> find_corridors(const Ground& g, const StreetRoutes& r, const std::vector<std::uint32_t>& across) {
   std::vector<Corridor> out;
   std::vector<char> visited(g.edge_ids(), 0);
   const auto start = [&](std::uint32_t t) {

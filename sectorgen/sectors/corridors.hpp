@@ -20,7 +20,7 @@ struct Corridor {
 
 inline constexpr std::int64_t kNever = std::int64_t{1} << 50;
 
-std::vector<Corridor> find_corridors(const Ground& ground, const Routes& routes,
+std::vector<Corridor> find_corridors(const Ground& ground, const StreetRoutes& routes,
                                      const std::vector<std::uint32_t>& island_across);
 
 /// Per edge id: an island it crosses, so that no gate may lie there; kNone mostly.

@@ -49,7 +49,7 @@ class Sets {
 };
 
 /// Distance in the dual graph from the streets, in mm, along edge midpoints.
-std::vector<std::int64_t> depth_mm(const Ground& g, const Routes& r) {
+std::vector<std::int64_t> depth_mm(const Ground& g, const StreetRoutes& r) {
   constexpr std::int64_t kFar = std::int64_t{1} << 60;
   std::vector<std::int64_t> depth(g.mesh.triangles.size(), kFar);
   using Item = std::pair<std::int64_t, std::uint32_t>;
@@ -94,7 +94,7 @@ struct ForestEdge {
 };
 
 /// Seeds: what the cut streets are, then deep ground.
-void seed_sets(const Ground& g, const Routes& r, const Cuts& cuts, Sets& sets, std::vector<CellKind>& kind) {
+void seed_sets(const Ground& g, const StreetRoutes& r, const Cuts& cuts, Sets& sets, std::vector<CellKind>& kind) {
   const auto n = static_cast<std::uint32_t>(g.mesh.triangles.size());
   for (std::uint32_t t = 0; t < n; ++t)
     for (int k = 0; k < 3; ++k) {
@@ -123,7 +123,7 @@ void seed_sets(const Ground& g, const Routes& r, const Cuts& cuts, Sets& sets, s
 }
 
 /// Maximum spanning forest: cells meet where the ground between them is narrowest.
-void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& options,
+void grow(const Ground& g, const StreetRoutes& r, const Cuts& cuts, const CutOptions& options,
           const std::vector<std::uint32_t>& across, Sets& sets, std::vector<CellKind>& kind) {
   std::vector<ForestEdge> edges;
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
@@ -173,7 +173,7 @@ void grow(const Ground& g, const Routes& r, const Cuts& cuts, const CutOptions& 
 }
 
 /// Components that an axis or square reaches but that have no seed yet become one yard each.
-void seed_the_rest(const Ground& g, const Routes& r, Sets& sets, std::vector<CellKind>& kind) {
+void seed_the_rest(const Ground& g, const StreetRoutes& r, Sets& sets, std::vector<CellKind>& kind) {
   std::vector<char> has_seed(g.mesh.triangles.size(), 0), done(g.mesh.triangles.size(), 0);
   for (std::uint32_t t = 0; t < done.size(); ++t) {
     if (done[t] || !g.is_free[t] || !r.is_reached[t]) continue;
@@ -197,7 +197,7 @@ void seed_the_rest(const Ground& g, const Routes& r, Sets& sets, std::vector<Cel
 
 /// Takes away the cells a walker cannot get to (only gaps narrower than fence_m lead there), and yards open to the
 /// city's edge: those are no part of the city.
-void close_off(const Ground& g, const Routes& r, const CutOptions& options, Cells& cells) {
+void close_off(const Ground& g, const StreetRoutes& r, const CutOptions& options, Cells& cells) {
   const std::size_t n = cells.kind.size();
   std::vector<std::vector<std::uint32_t>> open(n);
   std::vector<std::int64_t> rim(n, 0);
@@ -276,7 +276,7 @@ std::vector<PlanPoint> crossed_islands(const Ground& g, const Cells& cells) {
   return out;
 }
 
-Cells cut_cells(const Ground& g, const Routes& r, const CutOptions& options) {
+Cells cut_cells(const Ground& g, const StreetRoutes& r, const CutOptions& options) {
   const std::vector<std::uint32_t> across = edges_across_islands(g);
   const Cuts cuts = choose_cuts(g, find_corridors(g, r, across), options);
   Sets sets(g);

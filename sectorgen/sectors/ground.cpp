@@ -11,7 +11,7 @@
 namespace vicus {
 namespace {
 
-enum CoverLayer { kHouse, kWall, kWater, kDomain, kLayers };  // as in Layer
+enum CoverLayer { kHouse, kWall, kWater, kDomain, kLayers };  // as in MapLayer
 using Cover = std::array<std::int16_t, kLayers>;
 
 /// A distinct noded edge (a < b): what its left side has more than its right.
@@ -25,8 +25,8 @@ struct LayerEdge {
 std::vector<LayerEdge> layer_edges(const std::vector<NodedPart>& map) {
   std::vector<LayerEdge> all;
   for (const auto& part : map) {
-    if (part.layer == Layer::overhead) continue;  // bounds nothing on the ground
-    const bool is_kerb = part.layer == Layer::kerb;
+    if (part.layer == MapLayer::overhead) continue;  // bounds nothing on the ground
+    const bool is_kerb = part.layer == MapLayer::kerb;
     for (std::size_t i = 0; i + (is_kerb ? 1 : 0) < part.points.size(); ++i) {
       const PlanPoint p = part.points[i], q = part.points[i + 1 == part.points.size() ? 0 : i + 1];
       if (p == q) continue;

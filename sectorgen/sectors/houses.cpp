@@ -10,7 +10,7 @@
 
 namespace vicus {
 
-Facades::Facades(const Plan& plan, const Bends& bends) : sides_(feature_sides(plan.noded, Layer::house, bends)) {}
+Facades::Facades(const Plan& plan, const Bends& bends) : sides_(feature_sides(plan.noded, MapLayer::house, bends)) {}
 
 std::uint32_t Facades::house_behind(PlanPoint a, PlanPoint b) const {
   const auto it = std::lower_bound(sides_.begin(), sides_.end(), FeatureSide{b, a, 0});
@@ -180,8 +180,8 @@ void write_houses(const SourceMap& map, const Plan& plan, const Bends& bends, co
                   const std::vector<std::pair<PlanPoint, PlanPoint>>& closed_edges, City& city) {
   HouseWriter writer{map, plan, bends, facades, closed_edges, city, {}, {}};
   writer.buildings_of.resize(plan.blocks.houses.size());
-  for_features(plan.noded, bends, [&](Layer layer, std::uint32_t house, Polygon area) {
-    if (layer == Layer::house || layer == Layer::overhead) writer.add(house, std::move(area));
+  for_features(plan.noded, bends, [&](MapLayer layer, std::uint32_t house, Polygon area) {
+    if (layer == MapLayer::house || layer == MapLayer::overhead) writer.add(house, std::move(area));
   });
   writer.name_facades();
   writer.add_side_walls();

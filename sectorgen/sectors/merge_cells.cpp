@@ -43,7 +43,7 @@ struct Cell {
 
 class Merger {
  public:
-  Merger(const Ground& g, const Routes& r, Cells& cells)
+  Merger(const Ground& g, const StreetRoutes& r, Cells& cells)
       : cells_(cells), cell_(cells.kind.size()), root_(cells.kind.size()) {
     std::vector<std::vector<PlanPoint>> points(cell_.size());
     for (std::uint32_t c = 0; c < cell_.size(); ++c) {
@@ -277,7 +277,7 @@ class Merger {
 
 }  // namespace
 
-void merge_cells(const Ground& g, const Routes& r, Cells& cells) {
+void merge_cells(const Ground& g, const StreetRoutes& r, Cells& cells) {
   Merger merger(g, r, cells);
   merger.absorb_crossroads();
   merger.open_wedges();

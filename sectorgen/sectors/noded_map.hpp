@@ -6,10 +6,10 @@
 /// Every feature that shapes the ground, noded once with all others. From here on topology never changes (DESIGN §2).
 namespace vicus {
 
-enum class Layer { house, wall, water, domain, overhead, kerb };
+enum class MapLayer { house, wall, water, domain, overhead, kerb };
 
 struct NodedPart {
-  Layer layer = Layer::house;
+  MapLayer layer = MapLayer::house;
   std::uint32_t feature = 0;  ///< index into the list of its layer: Blocks::houses, walls, water, the domain's polygons
   std::vector<PlanPoint> points;  ///< a ring, inside on the left (may touch itself after rounding), or a kerb's line
 };

@@ -31,7 +31,7 @@ struct ReducedPath {
 
 class Router {
  public:
-  Router(const Ground& ground, Routes& routes)
+  Router(const Ground& ground, StreetRoutes& routes)
       : ground_(ground),
         routes_(routes),
         locator_(ground.mesh),
@@ -172,7 +172,7 @@ class Router {
   }
 
   const Ground& ground_;
-  Routes& routes_;
+  StreetRoutes& routes_;
   Locator locator_;
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
@@ -213,7 +213,7 @@ struct Stub {
   std::uint32_t junction = 0;
 };
 
-std::optional<Stub> stub_from(const Ground& g, const Routes& r, std::uint32_t leaf) {
+std::optional<Stub> stub_from(const Ground& g, const StreetRoutes& r, std::uint32_t leaf) {
   Stub stub;
   std::uint32_t t = leaf;
   int entry = -1;
@@ -240,7 +240,7 @@ std::optional<Stub> stub_from(const Ground& g, const Routes& r, std::uint32_t le
 }
 
 /// Driveway stubs and axis ends in niches go, the shortest first.
-void prune(const Ground& g, Routes& r) {
+void prune(const Ground& g, StreetRoutes& r) {
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t)
     if (used_count(g, r, t) == 1) leaves.push_back(t);
@@ -261,7 +261,7 @@ void prune(const Ground& g, Routes& r) {
 }
 
 /// Spreads is_reached over the components of the ground.
-void spread_reached(const Ground& g, Routes& r) {
+void spread_reached(const Ground& g, StreetRoutes& r) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t t = 0; t < r.is_reached.size(); ++t)
     if (r.is_reached[t]) queue.push_back(t);
@@ -277,7 +277,7 @@ void spread_reached(const Ground& g, Routes& r) {
 }
 
 /// No axis anywhere: every wide edge of ground that reaches the city's edge is taken as used.
-void invent_routes(const Ground& g, Routes& r) {
+void invent_routes(const Ground& g, StreetRoutes& r) {
   for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t) {
     if (!g.is_free[t]) continue;
     for (int k = 0; k < 3; ++k)
@@ -292,7 +292,7 @@ void invent_routes(const Ground& g, Routes& r) {
 
 }  // namespace
 
-int used_count(const Ground& g, const Routes& r, std::uint32_t t) {
+int used_count(const Ground& g, const StreetRoutes& r, std::uint32_t t) {
   if (!g.is_free[t]) return 0;
   int n = 0;
   for (int k = 0; k < 3; ++k) n += r.is_used[g.edge_id(t, k)];
@@ -325,8 +325,8 @@ std::vector<PlanPoint> reach_points(const std::vector<Axis>& axes, const std::ve
   return out;
 }
 
-Routes route_axes(const Ground& g, const std::vector<Axis>& axes, const std::vector<Area>& areas) {
-  Routes r;
+StreetRoutes route_axes(const Ground& g, const std::vector<Axis>& axes, const std::vector<Area>& areas) {
+  StreetRoutes r;
   r.is_used.assign(g.edge_ids(), 0);
   r.is_reached.assign(g.mesh.triangles.size(), 0);
   for (const Axis& axis : axes)

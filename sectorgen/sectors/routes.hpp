@@ -11,11 +11,11 @@ namespace vicus {
 /// Millimetres of a named axis inside a triangle.
 struct NameUse {
   std::uint32_t triangle = 0;
-  std::uint32_t name = 0;  ///< index into Routes::names
+  std::uint32_t name = 0;  ///< index into StreetRoutes::names
   std::int64_t mm = 0;
 };
 
-struct Routes {
+struct StreetRoutes {
   std::vector<char> is_used;       ///< per edge id: some reduced axis crosses it
   std::vector<char> is_reached;    ///< per triangle: an axis or a square lies in its component of the ground
   std::vector<std::string> names;  ///< sorted
@@ -29,7 +29,7 @@ struct Routes {
 /// Components of the ground that no axis and no square reaches are not used. Ground without any axis gets the network
 /// of its wide passages instead (edges of at least kWideMm), so that a map without streets still becomes a city. Error
 /// none: exact walk; an axis through a vertex is taken as passing on its left.
-Routes route_axes(const Ground& ground, const std::vector<Axis>& axes, const std::vector<Area>& areas);
+StreetRoutes route_axes(const Ground& ground, const std::vector<Axis>& axes, const std::vector<Area>& areas);
 
 /// Points at most kReachMm apart along every axis and square's outline: ground without any is not walked on.
 std::vector<PlanPoint> reach_points(const std::vector<Axis>& axes, const std::vector<Area>& areas);
@@ -38,7 +38,7 @@ inline constexpr std::int64_t kReachMm = 2'000;
 inline constexpr std::int64_t kWideMm = 4'000;
 
 /// Used edges of triangle t.
-int used_count(const Ground& ground, const Routes& routes, std::uint32_t t);
+int used_count(const Ground& ground, const StreetRoutes& routes, std::uint32_t t);
 
 /// Twice the distance of the midpoints of two edges of one triangle, and other lengths along chains, in mm.
 std::int64_t midpoint_distance_mm(const Ground& ground, std::uint32_t t, int k, int m);

@@ -56,7 +56,7 @@ class Writer {
         boundaries_(trace_regions(plan.ground, regions_.of, regions_.count())),
         bends_(plan.ground, boundaries_),
         facades_(plan, bends_),
-        walls_(feature_sides(plan.noded, Layer::wall, bends_)) {}
+        walls_(feature_sides(plan.noded, MapLayer::wall, bends_)) {}
 
   void write() {
     write_domain();
@@ -241,9 +241,9 @@ class Writer {
   }
 
   void write_obstacles() {
-    for_features(plan_.noded, bends_, [&](Layer layer, std::uint32_t f, Polygon p) {
-      if (layer == Layer::water) city_.obstacles.push_back({ObstacleKind::water, "", 0, std::move(p)});
-      if (layer != Layer::wall) return;
+    for_features(plan_.noded, bends_, [&](MapLayer layer, std::uint32_t f, Polygon p) {
+      if (layer == MapLayer::water) city_.obstacles.push_back({ObstacleKind::water, "", 0, std::move(p)});
+      if (layer != MapLayer::wall) return;
       const Barrier& b = map_.barriers[plan_.blocks.walls[f].barrier];
       city_.obstacles.push_back(
           {b.is_wall ? ObstacleKind::wall : ObstacleKind::fence, b.source_id, b.height_m, std::move(p)});

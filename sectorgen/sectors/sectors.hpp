@@ -16,7 +16,7 @@ struct Plan {
   std::vector<std::vector<PlanPoint>> kerbs;
   std::vector<NodedPart> noded;
   Ground ground;
-  Routes routes;
+  StreetRoutes routes;
   Cells cells;
 };
 

@@ -139,7 +139,7 @@ Ring Bends::apply(const Ring& ring) const {
   return out;
 }
 
-std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends) {
+std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, MapLayer layer, const Bends& bends) {
   std::vector<FeatureSide> all;
   for (const auto& part : map) {
     if (part.layer != layer) continue;

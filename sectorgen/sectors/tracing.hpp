@@ -66,18 +66,18 @@ struct FeatureSide {
 
 /// Sides of one layer's features with the bends of their edges, sorted. What a feature walks as often back (a
 /// spike that rounding closed) is no side of it.
-std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, Layer layer, const Bends& bends);
+std::vector<FeatureSide> feature_sides(const std::vector<NodedPart>& map, MapLayer layer, const Bends& bends);
 
 /// Features as they ended up: simple polygons with the bends of their edges. A ring that rounding pinched may give
 /// several; one that vanished gives none.   visit(layer, feature, polygon)
 template <class Visit>
 void for_features(const std::vector<NodedPart>& map, const Bends& bends, Visit visit) {
   for (std::size_t i = 0; i < map.size();) {
-    const Layer layer = map[i].layer;
+    const MapLayer layer = map[i].layer;
     const std::uint32_t feature = map[i].feature;
     std::vector<Ring> rings;
     for (; i < map.size() && map[i].layer == layer && map[i].feature == feature; ++i)
-      if (layer != Layer::kerb)
+      if (layer != MapLayer::kerb)
         for (auto& ring : simple_rings(bends.apply(map[i].points))) rings.push_back(std::move(ring));
     for (auto& polygon : assemble(std::move(rings))) visit(layer, feature, std::move(polygon));
   }

@@ -194,7 +194,7 @@ class Explorer {
              is_seen_better_elsewhere(region_of(rim_, n.right), centre, radius, low_m);
     }
     constexpr double kSlack_m = 1e-5;
-    const Segment& rim = rim_.segments[eyes.segment];
+    const SightSegment& rim = rim_.segments[eyes.segment];
     const double dx = rim.b.x - rim.a.x, dy = rim.b.y - rim.a.y,
                  inwards = (dx * (centre.y - rim.a.y) - dy * (centre.x - rim.a.x)) / std::hypot(dx, dy);
     return inwards < -radius - kSlack_m && low_m > eye_m_;

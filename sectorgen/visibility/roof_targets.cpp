@@ -35,16 +35,16 @@ std::vector<FacadeEdge> facade_edges(const City& city, const std::unordered_map<
 
 }  // namespace
 
-SegmentNode disc_around(const Segment* first, const Segment* last) {
+SegmentNode disc_around(const SightSegment* first, const SightSegment* last) {
   Spot low = first->a, high = first->a;
-  for (const Segment* s = first; s != last; ++s)
+  for (const SightSegment* s = first; s != last; ++s)
     for (const Spot p : {s->a, s->b}) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
   SegmentNode node;
   node.centre = {(low.x + high.x) / 2, (low.y + high.y) / 2};
-  for (const Segment* s = first; s != last; ++s)
+  for (const SightSegment* s = first; s != last; ++s)
     for (const Spot p : {s->a, s->b})
       node.radius = std::max(node.radius, std::hypot(p.x - node.centre.x, p.y - node.centre.y));
   return node;

@@ -23,19 +23,19 @@ struct SegmentNode {
   std::uint32_t house = kNowhere;                   ///< all segments below are of this house
 };
 
-struct Segment {
+struct SightSegment {
   Spot a, b;
   double up_a = 0, up_b = 0;  ///< the most it may reach at its ends
 };
 
 struct SegmentTree {
-  std::vector<Segment> segments;
+  std::vector<SightSegment> segments;
   std::vector<SegmentNode> nodes;
   std::uint32_t root = kNowhere;
 };
 
 /// The disc around some segments.
-SegmentNode disc_around(const Segment* first, const Segment* last);
+SegmentNode disc_around(const SightSegment* first, const SightSegment* last);
 /// A tree over segments [first, last) in their order; returns its root.
 std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t last, std::uint32_t house);
 /// A tree over trees, split where they lie apart.

@@ -12,7 +12,7 @@ Pairs sides_of(std::vector<PlanPoint> ring) {
   const Ground ground;
   const Bends bends(ground, Boundaries{});
   Pairs out;
-  for (const FeatureSide& s : feature_sides({{Layer::house, 7, std::move(ring)}}, Layer::house, bends)) {
+  for (const FeatureSide& s : feature_sides({{MapLayer::house, 7, std::move(ring)}}, MapLayer::house, bends)) {
     EXPECT_EQ(s.feature, 7u);
     out.push_back({s.a, s.b});
   }
@@ -36,7 +36,7 @@ TEST(FeatureSides, HoldOnceWhatIsWalkedOnAndBackAndOnAgain) {
 TEST(FeatureSides, AreOfTheLayerAskedFor) {
   const Ground ground;
   const Bends bends(ground, Boundaries{});
-  EXPECT_TRUE(feature_sides({{Layer::water, 0, {kA, kB, kD}}}, Layer::house, bends).empty());
+  EXPECT_TRUE(feature_sides({{MapLayer::water, 0, {kA, kB, kD}}}, MapLayer::house, bends).empty());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(MinCut, IsTheCheapestOfAllCutsAndTheNearestToTheSource) {
     std::vector<Link> links;
     for (std::uint32_t a = 0; a < kNodes; ++a)
       for (std::uint32_t b = a + 1; b < kNodes; ++b)
-        if (b == a + 1 || random() % 3 == 0) links.push_back({a, b, 1 + random() % 9});
+        if (b == a + 1 || random() % 3 == 0) links.push_back({a, b, static_cast<std::int64_t>(1 + random() % 9)});
     std::shuffle(links.begin(), links.end(), random);
     MinCut cut(kNodes);
     for (const Link& l : links) cut.join(l.a, l.b, l.cost);
