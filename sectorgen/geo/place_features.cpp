@@ -219,6 +219,24 @@ class Placer {
   std::vector<Issue>& issues_;
 };
 
+/// Faces with a corner out of reach are left out: their footprint is, too.
+void place_model(const RawModel& raw, const PlanFrame& frame, SourceMap& map) {
+  HouseModel& model = map.models[raw.source_id];
+  for (const RawModelFace& raw_face : raw.tops) {
+    ModelFace face;
+    bool is_placed = true;
+    for (const auto& raw_ring : raw_face) {
+      auto& ring = face.rings.emplace_back();
+      for (const RawModelPoint& p : raw_ring)
+        if (const auto at = frame.plan_from_latlon(p.at); at)
+          ring.push_back({*at, p.up_m});
+        else
+          is_placed = false;
+    }
+    if (is_placed) model.tops.push_back(std::move(face));
+  }
+}
+
 }  // namespace
 
 LatLon default_origin(const RawMap& raw) {
@@ -252,6 +270,7 @@ void place_features(RawMap raw, const PlanFrame& frame, SourceMap& map, std::vec
     placer.place(feature);
     feature.lines = {};
   }
+  for (const RawModel& model : raw.models) place_model(model, frame, map);
 }
 
 }  // namespace vicus

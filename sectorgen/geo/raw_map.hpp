@@ -27,8 +27,20 @@ struct RawIssue {
   bool has_place = false;
 };
 
+/// A house's own roof, as in HouseModel, its places still in degrees.
+struct RawModelPoint {
+  LatLon at;
+  double up_m = 0;
+};
+using RawModelFace = std::vector<std::vector<RawModelPoint>>;
+struct RawModel {
+  std::string source_id;
+  std::vector<RawModelFace> tops;
+};
+
 struct RawMap {
   std::vector<RawFeature> features;
+  std::vector<RawModel> models;
   std::vector<RawIssue> issues;
   std::vector<std::string> licences;
 };

@@ -7,6 +7,8 @@
 #include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/geo/neighbours.hpp"
 #include "sectorgen/geo/place_features.hpp"
+#include "sectorgen/geo/read_citygml.hpp"
+#include "sectorgen/geo/read_cityjson.hpp"
 #include "sectorgen/geo/read_gdal.hpp"
 #include "sectorgen/geo/read_geojson_lines.hpp"
 #include "sectorgen/geo/read_osm.hpp"
@@ -76,6 +78,11 @@ RawMap read_inputs(const LoadOptions& options) {
     if (is_osm_file(input)) {
       const std::size_t first = raw.features.size();
       read_osm(input, raw);
+      drop_unwanted(options, input, first, raw);
+    } else if (is_cityjson_file(input) || is_citygml_file(input)) {
+      const std::size_t first = raw.features.size();
+      is_cityjson_file(input) ? read_cityjson(input, options.assumed_system, raw)
+                              : read_citygml(input, options.assumed_system, raw);
       drop_unwanted(options, input, first, raw);
     } else if (is_geojson_lines_file(input)) {
       layers.push_back(geojson_lines_facts(input));

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,21 @@ struct PointObject {
   Tags tags;
 };
 
+/// A corner of a modelled house, above the model's own foot.
+struct ModelPoint {
+  PlanPoint at;
+  double up_m = 0;
+};
+struct ModelFace {
+  std::vector<std::vector<ModelPoint>> rings;  ///< outer first; closed implicitly
+};
+
+/// What looks up of a house that came as a model (CityJSON, CityGML): it may stick out over the footprint, overlap in
+/// plan, and be planar but for rounding.
+struct HouseModel {
+  std::vector<ModelFace> tops;
+};
+
 struct SourceMap {
   LatLon origin;
   std::vector<Footprint> footprints;
@@ -83,8 +99,9 @@ struct SourceMap {
   std::vector<GroundCover> covers;
   std::vector<Track> tracks;
   std::vector<PointObject> objects;
-  std::vector<Polygon> boundary;  ///< --boundary; empty: the domain is derived
-  std::string name;               ///< what the map calls the place; empty: nothing, or several things
+  std::map<std::string, HouseModel> models;  ///< by source_id of the footprint
+  std::vector<Polygon> boundary;             ///< --boundary; empty: the domain is derived
+  std::string name;                          ///< what the map calls the place; empty: nothing, or several things
   std::vector<std::string>
       licences;  ///< attribution lines, deduplicated, e.g. "© OpenStreetMap contributors, ODbL 1.0"
 };
@@ -93,6 +110,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path> inputs;
   std::optional<std::string> buildings_layer, streets_layer;  ///< FILE or FILE:LAYER, else recognised
   std::optional<std::filesystem::path> boundary;
+  std::string assumed_system;    ///< --crs: of 3D models whose file names no coordinate system, such as EPSG:28992
   std::optional<LatLon> origin;  ///< else the centre of the footprints' box
 };
 
