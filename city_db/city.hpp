@@ -78,10 +78,13 @@ struct SideWall {
 };
 
 /// Where a house's roof shape comes from; the first that has something to say, in this order. flat_fallback: what was
-/// asked for could not be built on this footprint (issue roof_flattened).
-enum class RoofSource { tagged, neighbours, rule, preset, flat_fallback };
+/// asked for could not be built on this footprint (issue roof_flattened). model: the house came with it.
+enum class RoofSource { tagged, neighbours, rule, preset, flat_fallback, model };
 
-enum class FacetKind { slope, top, gable };  ///< top: level; gable: upright, above the eave
+/// top: level; gable: upright over an edge of the footprint, above the eave; step: upright between two parts of the
+/// roof.
+enum class FacetKind { slope, top, gable, step };
+inline bool is_upright(FacetKind kind) { return kind == FacetKind::gable || kind == FacetKind::step; }
 
 inline constexpr double kRoofStepsPerMetre = 10'000;  ///< heights of a roof are whole numbers of 0.1 mm
 

@@ -14,7 +14,7 @@ namespace vicus {
 enum class OpeningKind { tall_window, window, wide_window, church_window, house_door, church_door, gate_door, shop };
 inline constexpr std::size_t kOpeningKinds = 8;
 /// What a Facade may say; a city file with more is damaged.
-inline constexpr int kMostFloors = 150, kMostBays = 8, kMostRepeats = 200;
+inline constexpr int kMostFloors = 150, kMostBays = 24, kMostRepeats = 200;
 
 struct Opening {
   OpeningKind kind = OpeningKind::window;

@@ -16,6 +16,7 @@ enum class IssueCode {
   unknown_attribute_value = 103,
   unknown_place = 104,  ///< an important sector's id, name or place that the city does not have
   terrain_hole = 105,   ///< no height here: taken from the nodes around
+  unused_model = 106,   ///< an author's model of a kind of object that the city does not have
   // 2xx footprints
   ring_open = 201,
   ring_self_intersection = 202,
@@ -31,6 +32,7 @@ enum class IssueCode {
   incomplete_relation = 212,
   part_outside = 213,    ///< a building:part outside of any building
   roof_flattened = 214,  ///< the roof that was asked for cannot be built on this footprint: flat instead
+  model_unused = 215,    ///< the house's own roof cannot be used: one of ours instead
   // 3xx streets
   unmapped_street = 301,  ///< an opening between sectors that looks like a street without an axis
   street_too_short = 302,

@@ -27,13 +27,11 @@ constexpr Names<ObstacleKind> kObstacleKinds = {{ObstacleKind::water, "water"}, 
                                                 {ObstacleKind::yard, "yard"},   {ObstacleKind::courtyard, "courtyard"}};
 constexpr Names<HeightSource> kHeightSources = {
     {HeightSource::measured, "measured"}, {HeightSource::levels, "levels"}, {HeightSource::guessed, "guessed"}};
-constexpr Names<RoofSource> kRoofSources = {{RoofSource::tagged, "tagged"},
-                                            {RoofSource::neighbours, "neighbours"},
-                                            {RoofSource::rule, "rule"},
-                                            {RoofSource::preset, "preset"},
-                                            {RoofSource::flat_fallback, "flat_fallback"}};
+constexpr Names<RoofSource> kRoofSources = {
+    {RoofSource::tagged, "tagged"}, {RoofSource::neighbours, "neighbours"},       {RoofSource::rule, "rule"},
+    {RoofSource::preset, "preset"}, {RoofSource::flat_fallback, "flat_fallback"}, {RoofSource::model, "model"}};
 constexpr Names<FacetKind> kFacetKinds = {
-    {FacetKind::slope, "slope"}, {FacetKind::top, "top"}, {FacetKind::gable, "gable"}};
+    {FacetKind::slope, "slope"}, {FacetKind::top, "top"}, {FacetKind::gable, "gable"}, {FacetKind::step, "step"}};
 constexpr Names<VisibleReason> kVisibleReasons = {{VisibleReason::self, "self"},
                                                   {VisibleReason::gate, "gate"},
                                                   {VisibleReason::line_of_sight, "line_of_sight"},
@@ -55,6 +53,7 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::unknown_attribute_value, "unknown_attribute_value"},
                                           {IssueCode::unknown_place, "unknown_place"},
                                           {IssueCode::terrain_hole, "terrain_hole"},
+                                          {IssueCode::unused_model, "unused_model"},
                                           {IssueCode::ring_open, "ring_open"},
                                           {IssueCode::ring_self_intersection, "ring_self_intersection"},
                                           {IssueCode::ring_too_few_points, "ring_too_few_points"},
@@ -69,6 +68,7 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::incomplete_relation, "incomplete_relation"},
                                           {IssueCode::part_outside, "part_outside"},
                                           {IssueCode::roof_flattened, "roof_flattened"},
+                                          {IssueCode::model_unused, "model_unused"},
                                           {IssueCode::unmapped_street, "unmapped_street"},
                                           {IssueCode::street_too_short, "street_too_short"},
                                           {IssueCode::unmapped_passage, "unmapped_passage"},

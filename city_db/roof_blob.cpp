@@ -33,7 +33,7 @@ std::optional<Roof> decode_roof(std::string_view bytes) {
   roof.facets.resize(source.count(12));
   for (auto& facet : roof.facets) {
     const std::uint32_t kind = source.u32();
-    if (kind > static_cast<std::uint32_t>(FacetKind::gable)) return std::nullopt;
+    if (kind > static_cast<std::uint32_t>(FacetKind::step)) return std::nullopt;
     facet.kind = static_cast<FacetKind>(kind);
     facet.rings.resize(source.count(4));
     for (auto& ring : facet.rings) {

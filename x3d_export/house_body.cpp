@@ -38,7 +38,7 @@ struct RoofTriangle {
 std::vector<RoofTriangle> roof_triangles(const Building& house) {
   std::vector<RoofTriangle> out;
   for (const RoofFacet& facet : house.roof.facets) {
-    if (facet.kind == FacetKind::gable) continue;
+    if (is_upright(facet.kind)) continue;
     for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
       const RoofPoint &p = house.roof.points.at(facet.triangles[i]), &q = house.roof.points.at(facet.triangles[i + 1]),
                       &r = house.roof.points.at(facet.triangles[i + 2]);

@@ -18,7 +18,7 @@ class ShellBuilder {
     add_walls(house_.footprint.outer);
     for (const Ring& hole : house_.footprint.holes) add_walls(hole);
     for (const RoofFacet& facet : house_.roof.facets) {
-      ShellFace face{facet.kind == FacetKind::gable ? ShellPart::wall : ShellPart::roof, {}};
+      ShellFace face{is_upright(facet.kind) ? ShellPart::wall : ShellPart::roof, {}};
       for (const auto& ring : facet.rings) {
         auto& out = face.rings.emplace_back();
         for (const std::uint32_t i : ring) out.push_back(number(house_.roof.points.at(i)));

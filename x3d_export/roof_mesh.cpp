@@ -18,7 +18,7 @@ void visit_triangles(const Building& house, Visit visit) {
 
 void add_roof(FaceList& faces, const Building& house) {
   visit_triangles(house, [&](FacetKind kind, const RoofPoint& a, const RoofPoint& b, const RoofPoint& c) {
-    faces.add_triangle(a, b, c, kind == FacetKind::gable ? house.wall_colour : house.roof_colour);
+    faces.add_triangle(a, b, c, is_upright(kind) ? house.wall_colour : house.roof_colour);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "sectorgen/models/guess_roof.hpp"
 #include "sectorgen/models/roof_fans.hpp"
 #include "sectorgen/models/roof_flat.hpp"
+#include "sectorgen/models/roof_import.hpp"
 
 namespace vicus {
 namespace {
@@ -75,27 +76,55 @@ void put_on(Building& b, const RoofWish& wish, BuiltRoof built, double asked_eav
   b.roof = std::move(built.roof);
 }
 
+/// The roof its author modelled. False: it cannot be used; the issue says why.
+bool put_model_on(Building& b, const HouseModel& model, std::vector<Issue>& issues) {
+  std::string fault;
+  auto imported = roof_from_model(b.footprint, model, fault);
+  if (imported && b.base_m + 0.2 > imported->eave_m)
+    imported.reset(), fault = "it lies below the house's own underside";
+  if (!imported) {
+    issues.push_back({IssueCode::model_unused,
+                      "The house's own roof cannot be used: " + fault + "; one of ours instead.", b.source_id,
+                      b.footprint.outer[0]});
+    return false;
+  }
+  if (imported->is_level)
+    b.roof_shape = "flat";
+  else if (b.roof_shape.empty() || b.roof_shape == "flat")
+    b.roof_shape = "many";
+  b.roof_source = RoofSource::model;
+  b.height_source = HeightSource::measured;
+  b.eave_m = imported->eave_m;
+  b.height_m = top_of(imported->roof);
+  b.roof = std::move(imported->roof);
+  return true;
+}
+
+void put_wish_on(Building& b, const RoofWish& wish, std::vector<Issue>& issues) {
+  double eave_m = b.height_m;
+  if (wish.request.form != RoofForm::flat) {
+    // Levels count storeys below the roof: it comes on top of them. Of other heights it is a part.
+    const bool is_on_top = b.height_source == HeightSource::levels && b.eave_m >= b.height_m - 0.001;
+    eave_m = is_on_top ? b.eave_m : std::max(b.height_m - wish.request.rise_m, b.base_m + 0.2);
+  }
+  eave_m = metres(lattice_mm(eave_m));
+  BuiltRoof built = build_roof(b.footprint, eave_m, wish.request);
+  if (built.rung == RoofRung::other_form || built.rung == RoofRung::flat)
+    issues.push_back({IssueCode::roof_flattened,
+                      std::string("No ") + name_of(wish.request.form) + " roof can be built here; " +
+                          name_of(built.form) + " instead.",
+                      b.source_id, b.footprint.outer[0]});
+  put_on(b, wish, std::move(built), eave_m);
+}
+
 }  // namespace
 
-void roof_houses(City& city) {
+void roof_houses(City& city, const std::map<std::string, HouseModel>& models) {
   const auto wishes = guess_roofs(city);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     Building& b = city.buildings[i];
-    const RoofWish& wish = wishes[i];
-    double eave_m = b.height_m;
-    if (wish.request.form != RoofForm::flat) {
-      // Levels count storeys below the roof: it comes on top of them. Of other heights it is a part.
-      const bool is_on_top = b.height_source == HeightSource::levels && b.eave_m >= b.height_m - 0.001;
-      eave_m = is_on_top ? b.eave_m : std::max(b.height_m - wish.request.rise_m, b.base_m + 0.2);
-    }
-    eave_m = metres(lattice_mm(eave_m));
-    BuiltRoof built = build_roof(b.footprint, eave_m, wish.request);
-    if (built.rung == RoofRung::other_form || built.rung == RoofRung::flat)
-      city.issues.push_back({IssueCode::roof_flattened,
-                             std::string("No ") + name_of(wish.request.form) + " roof can be built here; " +
-                                 name_of(built.form) + " instead.",
-                             b.source_id, b.footprint.outer[0]});
-    put_on(b, wish, std::move(built), eave_m);
+    const auto model = models.find(b.source_id);
+    if (model == models.end() || !put_model_on(b, model->second, city.issues)) put_wish_on(b, wishes[i], city.issues);
   }
   update_side_walls(city);
 }

@@ -14,12 +14,12 @@ bool is_convex(const Ring& ring) {
   return true;
 }
 
-/// The facet as a polygon of its own: gables are unrolled along their longest run in plan, which is their width.
+/// The facet as a polygon of its own: upright ones are unrolled along their longest run in plan, which is their width.
 Polygon polygon_of(const Roof& roof, const RoofFacet& facet) {
   PlanPoint from, to;
   std::int64_t most = -1;
   const auto& outer = facet.rings.front();
-  if (facet.kind == FacetKind::gable) {
+  if (is_upright(facet.kind)) {
     for (const std::uint32_t i : outer)
       for (const std::uint32_t j : {outer[0], outer[1]})
         if (const auto d = distance2(roof.points[j].at, roof.points[i].at); d > most)
@@ -29,7 +29,7 @@ Polygon polygon_of(const Roof& roof, const RoofFacet& facet) {
   const double dx = (to.x - from.x) / length, dy = (to.y - from.y) / length;
   const auto flat = [&](std::uint32_t i) {
     const RoofPoint& p = roof.points[i];
-    if (facet.kind != FacetKind::gable) return p.at;
+    if (!is_upright(facet.kind)) return p.at;
     const double along = 10 * (dx * (p.at.x - from.x) + dy * (p.at.y - from.y));
     return PlanPoint{static_cast<std::int32_t>(std::llround(along)), p.up};
   };
@@ -43,7 +43,7 @@ Polygon polygon_of(const Roof& roof, const RoofFacet& facet) {
       polygon.holes.push_back(std::move(ring));
   }
   // Unrolled from its far end a gable is seen from behind.
-  if (facet.kind == FacetKind::gable && area2(polygon.outer) < 0)
+  if (is_upright(facet.kind) && area2(polygon.outer) < 0)
     for (auto& p : polygon.outer) p.x = -p.x;
   return polygon;
 }
@@ -106,8 +106,7 @@ void triangulate_facets(Roof& roof) {
         facet.triangles.insert(facet.triangles.end(), {points[0], points[i], points[i + 1]});
       continue;
     }
-    const bool is_gable = facet.kind == FacetKind::gable;
-    for (const std::uint32_t i : is_gable ? ears_of(polygon.outer) : triangulate(polygon))
+    for (const std::uint32_t i : is_upright(facet.kind) ? ears_of(polygon.outer) : triangulate(polygon))
       facet.triangles.push_back(points[i]);
   }
 }

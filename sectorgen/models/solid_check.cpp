@@ -100,19 +100,51 @@ Fault fault_of_gable(const Roof& roof, const RoofFacet& facet, const std::vector
   const RoofPoint a = roof.points[ring[base]], b = roof.points[ring[(base + 1) % n]];
   const double length = std::sqrt(static_cast<double>(distance2(a.at, b.at)));
   std::int64_t last = dot(a.at, b.at, b.at);
+  int rise = 0;  // of the move before, where it was upright: 1 up, -1 down
   // From b back to a along the top: never backwards, never below the eave, never outside, hardly inside.
-  for (std::size_t k = 2; k < n; ++k) {
-    const RoofPoint p = roof.points[ring[(base + k) % n]];
+  for (std::size_t k = 2; k <= n; ++k) {
+    const RoofPoint p = roof.points[ring[(base + k) % n]], before = roof.points[ring[(base + k - 1) % n]];
     const std::int64_t along = dot(a.at, b.at, p.at);
     if (along > last || along < 0) return "a gable that folds back";
-    if (p.up <= a.up) return "a gable that sinks below the eave";
-    if (along == last && k > 2 && roof.points[ring[(base + k - 1) % n]].at == p.at) return "a gable with a spike";
+    if (k < n && p.up <= a.up) return "a gable that sinks below the eave";
+    const int now = p.at != before.at ? 0 : p.up > before.up ? 1 : -1;
+    if (now * rise < 0) return "a gable with a spike";
+    rise = now;
     const std::int64_t side = orient(a.at, b.at, p.at);
     if (side < 0) return "a gable that leans outwards";
     if (static_cast<double>(side) > kMostLean_mm * length) return "a gable that leans inwards";
     last = along;
   }
   return std::nullopt;
+}
+
+/// Upright over a -> b exactly: up over b, back over a down, and nothing else.
+Fault fault_of_step(const Roof& roof, const RoofFacet& facet) {
+  if (facet.rings.size() != 1) return "a step with a hole";
+  std::vector<RoofPoint> ring;
+  for (const std::uint32_t i : facet.rings[0]) ring.push_back(roof.points[i]);
+  const std::size_t n = ring.size();
+  std::size_t crossings = 0, first = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (ring[i].at != ring[(i + 1) % n].at) ++crossings, first = (i + 1) % n;
+  if (crossings != 2) return "a step that is not upright";
+  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
+  const auto turn = std::find_if(ring.begin(), ring.end(), [&](const RoofPoint& p) { return p.at != ring[0].at; });
+  const auto rises = [](auto from, auto to) {
+    return std::adjacent_find(from, to, [](const RoofPoint& p, const RoofPoint& q) { return p.up >= q.up; }) == to;
+  };
+  const auto falls = [](auto from, auto to) {
+    return std::adjacent_find(from, to, [](const RoofPoint& p, const RoofPoint& q) { return p.up <= q.up; }) == to;
+  };
+  // One run goes up and the other down; a run of one point does both.
+  const bool is_good =
+      (rises(ring.begin(), turn) && falls(turn, ring.end())) || (falls(ring.begin(), turn) && rises(turn, ring.end()));
+  return is_good ? std::nullopt : Fault("a step with a spike");
+}
+
+Fault fault_of_facet(const Roof& roof, const RoofFacet& facet, const std::vector<SolidEdge>& rim) {
+  if (facet.kind == FacetKind::gable) return fault_of_gable(roof, facet, rim);
+  return facet.kind == FacetKind::step ? fault_of_step(roof, facet) : fault_of_plan(roof, facet);
 }
 
 Fault fault_of_edges(const Roof& roof, const std::vector<SolidEdge>& rim) {
@@ -193,8 +225,7 @@ Fault fault_of_roof(const Polygon& footprint, double eave_m, const Roof& roof) {
         for (const std::uint32_t i : ring)
           if (roof.points[i].up != roof.points[facet.rings[0][0]].up) return "a top that is not level";
     if (off_plane_m(roof, facet) >= kMostOffPlane_m) return "a facet that is not planar";
-    if (auto fault = facet.kind == FacetKind::gable ? fault_of_gable(roof, facet, rim) : fault_of_plan(roof, facet))
-      return fault;
+    if (auto fault = fault_of_facet(roof, facet, rim)) return fault;
   }
   return fault_of_edges(roof, rim);
 }

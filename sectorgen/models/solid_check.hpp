@@ -10,7 +10,8 @@
 ///   closed      every directed edge of a facet has its opposite once, in another facet or as the top of a wall;
 ///   planar      no point of a facet is farther than kMostOffPlane_m from the plane through it;
 ///   no overlap  slopes and tops are simple polygons in plan, counter-clockwise, exact on the lattice; gables rise over
-///               one edge of the footprint, seen from outside counter-clockwise, and lean at most kMostLean_mm inwards.
+///               one edge of the footprint, seen from outside counter-clockwise, and lean at most kMostLean_mm inwards;
+///               steps stand exactly upright, so they cover nothing.
 /// That suffices: as all inner edges cancel, the facets' winding numbers add up to the footprint's, 1 inside and 0
 /// outside, and none is negative; so each place lies below one facet only.
 /// Needs   a valid footprint (simple rings, holes inside).   Error  none but planarity's doubles.

@@ -66,7 +66,7 @@ std::vector<RoofTriangle> roof_triangles(const Building& building) {
   const auto& points = building.roof.points;
   double covered2 = 0;  // mm2
   for (const auto& facet : building.roof.facets) {
-    if (facet.kind == FacetKind::gable) continue;
+    if (is_upright(facet.kind)) continue;
     for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3) {
       const RoofPoint &a = points[facet.triangles[i]], &b = points[facet.triangles[i + 1]],
                       &c = points[facet.triangles[i + 2]];
