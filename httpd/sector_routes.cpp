@@ -10,6 +10,7 @@
 #include "httpd/media_types.hpp"
 #include "httpd/negotiate.hpp"
 #include "httpd/problem.hpp"
+#include "x3d_export/glb.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
@@ -29,6 +30,7 @@ bool is_id(const std::string& id) {
 
 /// Formats that few ask for are not stored: they are written from the records when somebody does.
 constexpr std::array kWritten = {SceneFormat::vrml, SceneFormat::x3dj};
+constexpr const char* kGlb = ".glb";
 
 std::optional<SceneFormat> written_format(const std::string& name) {
   for (const auto format : kWritten)
@@ -38,16 +40,27 @@ std::optional<SceneFormat> written_format(const std::string& name) {
 
 /// Is there a file `path` + `suffix`, stored or to be written? Needs   the path of a sector that exists.
 bool has_format(const CityReader& city, const std::string& path, const std::string& suffix) {
-  return written_format(suffix) || !city.artefact_codings(path + suffix).empty();
+  return written_format(suffix) || suffix == kGlb || !city.artefact_codings(path + suffix).empty();
 }
 
-/// The sector's file of this name ("r12.wrl", "r12.2.wrl") written from the records; nullopt: there is none.
+std::string image_of(const CityReader& city, const std::string& id) {
+  auto image = city.artefact("textures/" + id + ".png", {"identity"});
+  if (!image) throw CityError("the city has no texture " + id + ": build it again");
+  return std::move(image->body);
+}
+
+/// The sector's file of this name ("r12.wrl", "r12.glb", "r12.2.wrl") written from the records; nullopt: there is none.
 std::optional<HttpResponse> answer_written(const HttpRequest& request, const CityReader& city, const std::string& id,
                                            const std::string& name) {
   const auto format = written_format(name);
-  if (!format) return std::nullopt;
+  const bool is_glb = name == id + kGlb;
+  if (!format && !is_glb) return std::nullopt;
   const auto around = city_around(city, id);
   if (!around) return std::nullopt;
+  if (is_glb)
+    return answer_made(request, std::string(media_type_of_file(kGlb)),
+                       sector_glb(CityIndex(*around), around->sectors.front(), Detail::near,
+                                  [&](const std::string& image) { return image_of(city, image); }));
   for (auto& file : sector_files(CityIndex(*around), around->sectors.front(), Detail::near, *format))
     if (file.path == "sectors/" + name) return answer_made(request, file.media_type, std::move(file.text));
   return std::nullopt;

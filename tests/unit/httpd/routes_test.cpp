@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "city_db/issues.hpp"
 #include "tests/unit/httpd/served_city.hpp"
+#include "x3d_export/glb.hpp"
 #include "x3d_export/sector_scene.hpp"
 
 namespace vicus {
@@ -93,8 +95,52 @@ TEST_F(RoutesOfSampleCity, HaveTallFilesWhereHousesAreSeenOverRoofsOnly) {
   const auto listed = detail(get("/sectors/s-main-w.nix"));
   EXPECT_NE(listed.find(" /sectors/s-main-w.tall.x3d /sectors/s-main-w.wrl"), std::string::npos) << listed;
   EXPECT_EQ(detail(get("/sectors/s-cross.nix")).find("tall"), std::string::npos);
-  for (const char* none : {"s-cross.far.wrl", "s-cross.1.wrl", "s-cross.x.x3dj", "nowhere.wrl", "s-cross.glb"})
+  for (const char* none :
+       {"s-cross.far.wrl", "s-cross.1.wrl", "s-cross.x.x3dj", "nowhere.wrl", "s-cross.far.glb", "nowhere.glb"})
     EXPECT_EQ(get(std::string("/sectors/") + none).status, 404) << none;
+}
+
+TEST_F(RoutesOfSampleCity, WriteASectorAsGlbWhenAskedAsTheExporterDoes) {
+  const City city = test::sample_city();
+  const CityIndex index(city);
+  for (const auto& sector : city.sectors) {
+    const auto response = get("/sectors/" + sector.id + ".glb", {{"Accept-Encoding", "identity"}});
+    ASSERT_EQ(response.status, 200) << sector.id;
+    EXPECT_EQ(field(response, "Content-Type"), "model/gltf-binary");
+    EXPECT_EQ(*response.body,
+              sector_glb(index, sector, Detail::near, [](const std::string& id) { return "png " + id; }));
+    const auto wanted = get("/sectors/" + sector.id, {{"Accept", "model/gltf-binary"}});
+    EXPECT_EQ(field(wanted, "Content-Location"), "/sectors/" + sector.id + ".glb");
+  }
+}
+
+TEST(Routes, WriteAGlbWithTheStoredImagesAndTellOfOneThatIsMissing) {
+  test::ScratchDirectory scratch;
+  const City city = test::sample_city_with_facades();
+  std::map<std::string, Artefact> images;
+  const auto add = [&](const std::string& id) {
+    images[id] = {"textures/" + id + ".png", "image/png", "identity", "h" + id, "png " + id};
+  };
+  add(city.meta.at("atlas"));
+  for (const auto& facade : city.facades) add(facade.texture);
+  const auto respond = [&](const std::string& without) {
+    std::vector<Artefact> stored;
+    for (const auto& [id, image] : images)
+      if (id != without) stored.push_back(image);
+    write_city(scratch / "city.gpkg", city, test::one_by_one(stored));
+    Routes routes(scratch / "city.gpkg", std::make_shared<const StaticFiles>(""), std::make_shared<Metrics>());
+    return routes.respond({"GET", "/sectors/s-main-w.glb", {{"Accept-Encoding", "identity"}}});
+  };
+  const auto response = respond("");
+  ASSERT_EQ(response.status, 200);
+  const CityIndex index(city);
+  const auto sector =
+      std::find_if(city.sectors.begin(), city.sectors.end(), [](const Sector& s) { return s.id == "s-main-w"; });
+  EXPECT_EQ(*response.body,
+            sector_glb(index, *sector, Detail::near, [&](const std::string& id) { return images.at(id).body; }));
+  const auto broken = respond(city.meta.at("atlas"));
+  EXPECT_EQ(broken.status, 500);
+  EXPECT_NE(broken.fault.find("texture " + city.meta.at("atlas")), std::string::npos) << broken.fault;
 }
 
 TEST(Routes, RefuseStoredBytesThatUnpackToNothingOrTooMuch) {
