@@ -15,8 +15,8 @@ build_packages=(
   libsqlite3-dev                                    # the city file
   libboost-dev                                      # HTTP (Beast, Asio: headers only)
   libbrotli-dev libdeflate-dev libssl-dev           # codings and hashes of what is sent
-  libimagequant-dev                                 # palettes of textures
-  libdraco-dev                                      # glTF's geometry
+  libimagequant-dev libopenimageio-dev              # palettes of textures; photos of facades
+  libdraco-dev libtinygltf-dev libstb-dev           # glTF
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )

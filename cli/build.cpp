@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -12,6 +13,7 @@
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
 #include "sectorgen/geo/map_name.hpp"
+#include "sectorgen/models/author_models.hpp"
 #include "x3d_export/package.hpp"
 
 namespace vicus::cli {
@@ -19,7 +21,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, name, boundary, buildings, streets, origin, important, terrain;
+  std::string output, name, boundary, buildings, streets, origin, important, terrain, crs, models, photos;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -68,6 +70,7 @@ LoadOptions load_options(const Arguments& arguments) {
   if (!arguments.buildings.empty()) load.buildings_layer = arguments.buildings;
   if (!arguments.streets.empty()) load.streets_layer = arguments.streets;
   if (!arguments.origin.empty()) load.origin = parse_origin(arguments.origin);
+  load.assumed_system = arguments.crs;
   return load;
 }
 
@@ -106,11 +109,14 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   nlohmann::json options = {{"budget_kb", arguments.budget_kb}};
   if (!arguments.name.empty()) options["name"] = arguments.name;
   if (!arguments.origin.empty()) options["origin"] = arguments.origin;
+  if (!arguments.crs.empty()) options["crs"] = arguments.crs;
   if (!arguments.boundary.empty()) options["boundary"] = std::filesystem::path(arguments.boundary).filename().string();
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
   if (arguments.over_roofs != "auto") options["over_roofs"] = arguments.over_roofs;
   if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
+  if (!arguments.photos.empty()) options["photos"] = std::filesystem::path(arguments.photos).filename().string();
+  if (!arguments.models.empty()) options["models"] = std::filesystem::path(arguments.models).filename().string();
   if (!arguments.important.empty())
     options["important"] = std::filesystem::path(arguments.important).filename().string();
   city.meta["options"] = options.dump();
@@ -134,7 +140,8 @@ nlohmann::json report_object(const City& city, const BuildReport& report, const 
                          {"rows", t.rows},
                          {"step_m", metres(t.step_mm)},
                          {"is_coarsened", report.is_terrain_coarsened},
-                         {"base_m", std::stoi(city.meta.at("terrain_base_m"))}};
+                         {"base_m", std::stoi(city.meta.at("terrain_base_m"))},
+                         {"largest_gap_m", report.largest_gap_m}};
   object["stages"] = nlohmann::json::array();
   for (const auto& s : report.stages)
     object["stages"].push_back({{"stage", s.stage}, {"cpu_s", s.cpu_s}, {"wall_s", s.wall_s}, {"peak_mb", s.peak_mb}});
@@ -153,7 +160,8 @@ std::string report_text(const City& city, const BuildReport& report, const std::
   if (const Terrain& t = city.terrain; !t.height_mm.empty())
     out << "terrain: " << t.columns << " x " << t.rows << " heights, every " << metres(t.step_mm) << " m"
         << (report.is_terrain_coarsened ? " (coarser than 5 m: the city is large)" : "") << ", above "
-        << city.meta.at("terrain_base_m") << " m\n";
+        << city.meta.at("terrain_base_m") << " m; largest gap between a house and the ground before it "
+        << std::lround(100 * report.largest_gap_m) << " cm\n";
   out << "next: vicus check " << output << "; vicus serve " << output << "\n";
   return out.str();
 }
@@ -173,6 +181,8 @@ void run(const Arguments& arguments, Context& context) {
   options.threads = options.visible.threads = arguments.threads;
   options.visible.over_roofs = over_roofs_of(arguments.over_roofs);
   if (!arguments.important.empty()) options.important = read_author_list(arguments.important, issues);
+  if (!arguments.models.empty()) options.models = read_model_list(arguments.models);
+  if (!arguments.photos.empty()) options.photos = read_photo_list(arguments.photos);
   options.terrain = arguments.terrain;
   options.previous = previous ? &*previous : nullptr;
   options.on_stage = [&](const char* stage) { progress(stage); };
@@ -205,7 +215,8 @@ void add_build(CLI::App& app, Context& context) {
   const auto arguments = std::make_shared<Arguments>();
   command
       ->add_option("INPUT", arguments->inputs,
-                   "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf")
+                   "map files: OSM PBF/XML, GeoPackage, GeoJSON (.geojson, .geojsonl, .gz), Shapefile, FlatGeobuf; "
+                   "houses as models: CityJSON, CityGML")
       ->required();
   command->add_option("-o,--output", arguments->output, "the city file to write")->required();
   command->add_option("--name", arguments->name, "the city's name; else the map's own, else the first file's");
@@ -213,11 +224,19 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");
   command->add_option("--origin", arguments->origin, "LAT,LON of the plan frame's origin");
+  command->add_option("--crs", arguments->crs,
+                      "EPSG:NUMBER, the coordinate system of CityJSON and CityGML that name none");
   command->add_option("--terrain", arguments->terrain,
                       "heights of the ground: a GeoTIFF or other raster with a coordinate system");
   command->add_option("--important", arguments->important,
                       "important sectors, one a line: PLACE[,METRES] or LAT,LON[,METRES]; PLACE is a sector id or the "
                       "name of a street or square, METRES (default 500) how far around it stays loaded, 0: no more");
+  command->add_option(
+      "--models", arguments->models,
+      "your own glTF models in place of ours, one a line: KIND,FILE[,HEIGHT_M], such as tree,lime.glb,12");
+  command->add_option(
+      "--photos", arguments->photos,
+      "a table of photos of facades: first line house,file,heading,corners,bays,floors (docs/houses.md)");
   command->add_option("--threads", arguments->threads, "0: all cores");
   command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
       ->check(CLI::Range(10u, 100000u));

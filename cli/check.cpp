@@ -4,6 +4,7 @@
 #include "city_db/rules.hpp"
 #include "city_db/shape.hpp"
 #include "city_db/store.hpp"
+#include "cli/check_models.hpp"
 #include "cli/command.hpp"
 
 /// `vicus check`: the rules and figures of DESIGN §3, from the stored records.
@@ -16,6 +17,7 @@ struct Checked {
   City city;
   RuleReport rules;
   ShapeReport shape;
+  ModelFigures models;
 };
 
 Json json_of(const Spread& s) {
@@ -93,6 +95,14 @@ Json heights_json(const City& city) {
   return json;
 }
 
+Json roofs_json(const ModelFigures& figures) {
+  return {{"sound", figures.sound}, {"unsound", figures.unsound.size()}, {"without", figures.without}};
+}
+
+Json textures_json(const ModelFigures& figures) {
+  return {{"sector_kb_median", figures.texture_kb.median}, {"sector_kb_max", figures.texture_max_kb}};
+}
+
 Json check_json(const Checked& c) {
   Json holds, counts, violations = Json::array();
   for (std::size_t r = 0; r < kRuleCount; ++r) {
@@ -119,7 +129,9 @@ Json check_json(const Checked& c) {
           {"shape_all", shape_all_json(c.shape)},
           {"bytes", bytes_json(c.city)},
           {"visibility", visibility_json(c.city)},
-          {"heights", heights_json(c.city)}};
+          {"heights", heights_json(c.city)},
+          {"roofs", roofs_json(c.models)},
+          {"textures", textures_json(c.models)}};
 }
 
 /// printf onto the end of a text.
@@ -182,16 +194,25 @@ void add_shape(std::string& text, const ShapeReport& shape) {
            100 * named.share, 100 * named.share_strict, 100 * named.share_all_names);
 }
 
-std::string check_text(const Checked& c) {
+void add_roofs(std::string& text, const ModelFigures& figures, std::size_t listed) {
+  for (std::size_t i = 0; i < std::min(listed, figures.unsound.size()); ++i)
+    add_line(text, "roof of %s is not sound: %s", figures.unsound[i].building_id.c_str(),
+             figures.unsound[i].fault.c_str());
+}
+
+std::string check_text(const Checked& c, std::size_t listed) {
   std::string text;
   add_rules(text, c.rules);
+  add_roofs(text, c.models, listed);
   text += '\n';
   add_shape(text, c.shape);
   text += '\n';
   for (const auto& [what, json] : {std::pair<const char*, Json>{"counts", counts_json(c.city)},
                                    {"bytes", bytes_json(c.city)},
                                    {"visibility", visibility_json(c.city)},
-                                   {"heights", heights_json(c.city)}}) {
+                                   {"heights", heights_json(c.city)},
+                                   {"roofs", roofs_json(c.models)},
+                                   {"textures", textures_json(c.models)}}) {
     text += what;
     for (const auto& [key, value] : json.items()) text += (" " + key + " ").append(value.dump());
     text += '\n';
@@ -217,8 +238,10 @@ void add_check(CLI::App& app, Context& context) {
     checked.city = read_city(arguments->city);
     checked.rules = check_rules(checked.city, arguments->options);
     checked.shape = measure_shape(checked.city);
-    context.exit_code = checked.rules.all_hold() ? kDone : kRuleBroken;
-    print_result(context, context.json ? std::string() : check_text(checked), check_json(checked));
+    checked.models = check_models(checked.city, CityReader(arguments->city));
+    context.exit_code = checked.rules.all_hold() && checked.models.unsound.empty() ? kDone : kRuleBroken;
+    print_result(context, context.json ? std::string() : check_text(checked, arguments->options.listed_per_rule),
+                 check_json(checked));
   });
 }
 

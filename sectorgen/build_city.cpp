@@ -11,8 +11,10 @@
 
 #include "sectorgen/geo/plan_frame.hpp"
 #include "sectorgen/geo/read_terrain.hpp"
+#include "sectorgen/models/author_models.hpp"
 #include "sectorgen/models/facades.hpp"
 #include "sectorgen/models/lay_ground.hpp"
+#include "sectorgen/models/photo_facades.hpp"
 #include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/models/stand_objects.hpp"
 #include "sectorgen/sectors/domain.hpp"
@@ -114,12 +116,14 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
                  city.issues);
 
   clock.begin("models");
-  roof_houses(city);
+  roof_houses(city, map.models);
   lay_out_facades(city);
+  hang_photos(options.photos, city);
   if (options.with_textures) paint_textures(city, options.threads);
 
   clock.begin("ground");
   stand_objects(map, city);
+  add_author_models(options.models, city);
   const auto ground_figures = lay_ground(map, city, options.threads);
   report.ground_triangles = ground_figures.triangles;
   report.largest_gap_m = ground_figures.largest_gap_m;

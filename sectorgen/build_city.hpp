@@ -7,6 +7,7 @@
 
 #include "city_db/city.hpp"
 #include "sectorgen/geo/source_map.hpp"
+#include "sectorgen/models/photo_list.hpp"
 #include "sectorgen/visibility/author_list.hpp"
 #include "sectorgen/visibility/visible.hpp"
 
@@ -51,6 +52,8 @@ struct BuildOptions {
   bool with_textures = true;       ///< false: facades have no images, the city no atlas
   bool with_visibility = true;     ///< false: no L_vis
   VisibleOptions visible;
+  std::vector<FacadePhoto> photos;                  ///< in place of painted facades
+  std::vector<Prototype> models;                    ///< an author's, in place of ours (author_models.hpp)
   std::vector<AuthorEntry> important;               ///< a person's list of important sectors
   std::function<void(const char* stage)> on_stage;  ///< progress
 };

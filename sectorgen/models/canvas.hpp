@@ -44,6 +44,7 @@ class Canvas {
   /// 4 bytes a pixel, top row first, opaque.
   std::vector<unsigned char> rgba() const;
   Paint at(int column, int row) const;
+  void set(int column, int row, Paint paint) { pixel(column, row) = paint; }
 
  private:
   Paint& pixel(int column, int row);

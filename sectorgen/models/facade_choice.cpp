@@ -12,6 +12,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
+constexpr int kPatternBays = 8;  // longer facades repeat their pattern: one image serves more of them
 constexpr double kLeastLength_m = 3, kLeastShedLength_m = 2.2, kLeastHeight_m = 2.3;
 constexpr double kStoreyLeast_m = 2.2, kStoreyMost_m = 6;
 constexpr double kStoneFrom_m = 13;  // of eaves: four storeys and more were built of stone, or to look so
@@ -73,8 +74,8 @@ bool lay_out_bays(Facade& facade) {
   if (length < (is_small ? kLeastShedLength_m : kLeastLength_m) || height < kLeastHeight_m * (is_small ? 0.8 : 1))
     return false;
   const double bays = std::max(1.0, std::round(length / figures_of(facade.style).bay));
-  facade.repeats = std::min(kMostRepeats, static_cast<int>(std::ceil(bays / kMostBays)));
-  facade.bays = std::clamp(static_cast<int>(std::lround(bays / facade.repeats)), 1, kMostBays);
+  facade.repeats = std::min(kMostRepeats, static_cast<int>(std::ceil(bays / kPatternBays)));
+  facade.bays = std::clamp(static_cast<int>(std::lround(bays / facade.repeats)), 1, kPatternBays);
   return true;
 }
 

@@ -10,9 +10,9 @@ namespace vicus {
 /// research/HOUSES.md §3.
 void lay_out_facades(City& city);
 
-/// Paints the textures of all facades and the atlas of windows and doors (meta["atlas"]), each picture once. One
-/// picture serves all facades of the same style, colour, storeys, bays, door and shop.
-/// Cost    about 10 ms a picture; Rochechouart's 900 facades need some 300.
+/// Paints the textures of all facades that have none yet (photo_facades.hpp) and the atlas of windows and doors
+/// (meta["atlas"]), each picture once. One picture serves all facades of the same style, colour, storeys, bays, door
+/// and shop. Cost    about 10 ms a picture; Rochechouart's 900 facades need some 300.
 void paint_textures(City& city, unsigned threads);
 
 }  // namespace vicus

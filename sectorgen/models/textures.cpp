@@ -37,7 +37,8 @@ void paint_textures(City& city, unsigned threads) {
   for (const auto& house : city.buildings) wall.emplace(house.id, house.wall_colour);
   std::map<decltype(picture_key({}, {})), std::vector<std::size_t>> users;
   for (std::size_t i = 0; i < city.facades.size(); ++i)
-    users[picture_key(city.facades[i], wall[city.facades[i].building_id])].push_back(i);
+    if (city.facades[i].texture.empty())
+      users[picture_key(city.facades[i], wall[city.facades[i].building_id])].push_back(i);
 
   std::vector<std::pair<Colour, std::vector<std::size_t>>> pictures;
   for (auto& [key, list] : users) pictures.emplace_back(std::get<Colour>(key), std::move(list));
@@ -54,6 +55,7 @@ void paint_textures(City& city, unsigned threads) {
   Texture atlas = texture_of(paint_atlas(), kAtlasColours);
   city.meta["atlas"] = atlas.id;
   by_id.emplace(atlas.id, std::move(atlas));
+  for (auto& texture : city.textures) by_id.emplace(texture.id, std::move(texture));
   city.textures.clear();
   for (auto& [id, texture] : by_id) city.textures.push_back(std::move(texture));
 }

@@ -349,8 +349,8 @@ City sample_city_with_facades() {
       f.top_m = house->eave_m > 0 ? house->eave_m : house->height_m;
       f.style = static_cast<FacadeStyle>(count % 6);
       f.floors = f.style == FacadeStyle::church || f.style == FacadeStyle::shed ? 1 : 1 + count % 5;
-      f.bays = std::clamp(static_cast<int>(length_m(f) / 3), 1, kMostBays);
-      f.repeats = 1 + static_cast<int>(length_m(f) / 3) / (kMostBays + 1);
+      f.bays = std::clamp(static_cast<int>(length_m(f) / 3), 1, 8);
+      f.repeats = 1 + static_cast<int>(length_m(f) / 3) / 9;
       f.door_bay = count % 3 == 0 ? f.bays / 2 : -1;
       f.has_shop = count % 4 == 1;
       f.texture = "f" + std::to_string(count % 7);
