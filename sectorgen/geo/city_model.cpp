@@ -20,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = std::size_t{2} << 30;
-constexpr double kLeastUpward = 0.05;  // of a unit normal: steeper ones are walls
-constexpr double kFloor_m = 0.5;       // surfaces that look down, so near to the lowest corner, are on the ground
+constexpr double kLeastUpward = 0.05;   // of a unit normal: steeper ones are walls
+constexpr double kLeastWidth_m = 0.02;  // narrower slopes are gaps that rounding left between others
+constexpr double kFloor_m = 0.5;        // surfaces that look down, so near to the lowest corner, are on the ground
 
 using GzFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
@@ -42,6 +43,18 @@ Normal normal_of(const ModelSurface& surface) {
   }
   const double length = std::hypot(n.x, n.y, n.z);
   return length > 0 ? Normal{n.x / length, n.y / length, n.z / length} : Normal{};
+}
+
+/// A strip's area over half its outline is its width: in plan, metres.
+double plan_width(const ModelSurface& surface) {
+  const auto& ring = surface.rings[0];
+  double area2 = 0, outline = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const ModelCorner &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    area2 += (p.x - ring[0].x) * (q.y - ring[0].y) - (q.x - ring[0].x) * (p.y - ring[0].y);
+    outline += std::hypot(q.x - p.x, q.y - p.y);
+  }
+  return outline > 0 ? std::abs(area2) / outline : 0;
 }
 
 std::unique_ptr<OGRPolygon> plan_polygon(const ModelSurface& surface) {
@@ -113,9 +126,9 @@ Sorted sorted(const ModelObject& object) {
     // Semantics first: ground surfaces are often turned over.
     if (surface.part == ModelPart::ground)
       out.ground.push_back(&surface);
-    else if (up > kLeastUpward || (surface.part == ModelPart::roof && up < -kLeastUpward))
-      out.up.push_back(&surface);
-    else if (up < -kLeastUpward)
+    else if (up > kLeastUpward || (surface.part == ModelPart::roof && up < -kLeastUpward)) {
+      if (plan_width(surface) > kLeastWidth_m) out.up.push_back(&surface);
+    } else if (up < -kLeastUpward)
       down.push_back(&surface);
   }
   if (out.ground.empty())

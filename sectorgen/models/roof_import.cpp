@@ -228,8 +228,10 @@ class RoofWriter {
     const std::uint32_t a = chain.front(), b = chain.back();
     std::vector<std::uint32_t> ring = {point(a, eave_), point(b, eave_)};
     std::int32_t up = eave_;
+    std::uint32_t last = b;
     const auto rise = [&](std::uint32_t v, std::int32_t to) {
-      add_between(v, up, to, ring);
+      if (v == last) add_between(v, up, to, ring);
+      last = v;
       if (const std::uint32_t p = point(v, to); p != ring.back() && p != ring.front()) ring.push_back(p);
       up = to;
     };

@@ -40,7 +40,7 @@ void print_errors(const char* what, std::vector<double> errors) {
 }  // namespace
 }  // namespace vicus
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace vicus;
   LoadOptions load;
   for (int i = 1; i < argc; ++i)
@@ -78,4 +78,7 @@ int main(int argc, char** argv) {
   for (const auto& [pair, count] : forms)
     if (10 * count >= typed / 10) std::printf("  %s, guessed %s: %d\n", pair.first.c_str(), pair.second.c_str(), count);
   print_errors("eaves", eaves);
+} catch (const vicus::CityError& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return error.exit_code;
 }

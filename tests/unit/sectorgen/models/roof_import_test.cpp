@@ -120,6 +120,20 @@ TEST(RoofFromModel, FollowsTheNearestFaceWhereTheWallWasMoved) {
   EXPECT_NEAR(up_at(roof->roof, 12.01, 2.0), 6.5, 0.02);
 }
 
+/// Where a slope's rim rises along a wall to a corner at which a third part ends, the wall's gable has no point of that
+/// part.
+TEST(RoofFromModel, PassesOtherLevelsOfACornerThatTheRimOnlyRisesTo) {
+  const HouseModel model{{face({{0, 0, 5}, {6, 0, 8}, {6, 8, 8}, {0, 8, 5}}),
+                          face({{6, 0, 6.5}, {9, 0, 6.5}, {9, 8, 6.5}, {6, 8, 6.5}}),
+                          face({{9, 0, 5.5}, {12, 0, 7}, {12, 8, 7}, {9, 8, 5.5}}),
+                          face({{5, 0, 7.2}, {6, 0, 7.2}, {6, 1, 7.2}, {5, 1, 7.2}})}};
+  std::string fault;
+  const auto roof = roof_from_model(kPlan, model, fault);
+  ASSERT_TRUE(roof) << fault;
+  EXPECT_NEAR(up_at(roof->roof, 3.01, 4.02), 6.505, 1e-3);
+  EXPECT_NEAR(up_at(roof->roof, 7.51, 4.02), 6.5, 1e-3);
+}
+
 TEST(RoofFromModel, SaysWhyItCannotBeUsed) {
   std::string fault;
   HouseModel half{{face({{0, 0, 5}, {6, 0, 5}, {6, 8, 5}, {0, 8, 5}})}};
