@@ -1,0 +1,41 @@
+#pragma once
+#include "sectorgen/bake/cell_pieces.hpp"
+
+/// The plane and the line of one cell (blockmap.hpp) from what stands in it.
+namespace vicus {
+
+/// Units of one tile.
+struct CellUnits {
+  double cell_m = 1, step_m = 0.01;
+};
+
+/// The bare ground of a cell: metres above the base plane at the middle, metres a cell.
+struct CellGround {
+  double up = 0, east = 0, north = 0;
+  double rough_m = 0;  ///< the ground leaves this plane by no more within the cell
+  double up_at(CellPoint p) const { return up + east * p.x + north * p.y; }
+};
+
+/// As stored, and what the baker goes on with.
+struct CellFit {
+  std::uint16_t height = 0, foot = 0;
+  std::uint8_t slope_east = 0, slope_north = 0, angle = 0, offset = 0;
+  double top_m = 0;    ///< no surface of the cell is higher above the base plane
+  double error_m = 0;  ///< bound of the distance of true points of the cell from its surface, and back
+  bool ground_above = false;  ///< ground is among what the plane stands for
+  std::uint32_t above = 0;    ///< bit i: roof piece i belongs to the plane (of the first 31; of the others bit 31)
+};
+
+/// Error   error_m is measured at every corner of every piece after rounding to stored numbers. Of a piece on its own
+///         side of the line it is how far the plane passes from it; else the distance to the wall over the line, if that
+///         is less.
+/// Source  line: Laine & Karras, "Efficient sparse voxel octrees", I3D 2010 (contours); its normal by the divergence
+///         theorem from how much of each side of the cell is covered, its offset from the covered area.
+CellFit fit_cell(const CellPieces& pieces, std::size_t cell, const CellGround& ground, const CellUnits& units);
+
+/// Does piece `index` of the cell's roof pieces belong to the plane?
+inline bool is_above(const CellFit& fit, std::size_t index) {
+  return (fit.above >> (index < 31 ? index : 31) & 1u) != 0;
+}
+
+}  // namespace vicus
