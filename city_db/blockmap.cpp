@@ -63,11 +63,13 @@ std::vector<std::uint8_t> wall_bits(const BlockMap& map) {
   std::vector<std::uint8_t> bits(map.height.size());
   for (std::size_t row = 0, cell = 0; row < map.side; ++row)
     for (std::size_t column = 0; column < map.side; ++column, ++cell) {
-      if (map.offset[cell] != 0)
-        bits[cell] = kWallLine;
-      else
+      if (map.offset[cell] != 0) {
+        const std::int64_t rise = std::int64_t{map.height[cell]} - map.foot[cell];
+        if (rise * map.step_um > std::int64_t{map.wall_step_um}) bits[cell] = kWallLine;
+      } else {
         for (const auto& side : kSides)
           if (has_wall(map, column, row, side)) bits[cell] |= side.bit;
+      }
     }
   return bits;
 }

@@ -37,8 +37,8 @@ struct BlockMap {
 /// Which walls a cell has columns for.
 enum WallBit : std::uint8_t { kWallEast = 1, kWallNorth = 2, kWallWest = 4, kWallSouth = 8, kWallLine = 16 };
 
-/// The walls of every cell: a cell with a line has that one; one without has its sides towards cells without a line that
-/// lie more than wall_step lower there, and towards the tile's rim as if nothing stood beyond it. Whole numbers only, so
+/// The walls of every cell: a cell with a line has that one, if its middle is more than wall_step above the foot; one without
+/// has its sides towards cells without a line that lie more than wall_step lower there, and towards the tile's rim as if nothing stood beyond it. Whole numbers only, so
 /// that every reader counts the same columns.
 std::vector<std::uint8_t> wall_bits(const BlockMap& map);
 /// The number of the first column of each cell, cells in Morton order (Z order: east is the lowest bit), so that columns

@@ -176,10 +176,11 @@ BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint3
   for (auto* list : {&map.height, &map.foot}) list->resize(cells);
   for (auto* list : {&map.slope_east, &map.slope_north, &map.angle, &map.offset}) list->resize(cells);
   const CellUnits units{cell_m, map.step_um * 1e-6};
+  CellFitter fitter(pieces, units);
   double top = 0, error = 0;
   for (std::size_t row = 0, cell = 0; row < options.side; ++row)
     for (std::size_t column = 0; column < options.side; ++column, ++cell) {
-      fits[cell] = fit_cell(pieces, cell, ground_of(nodes, scene.terrain(), frame, column, row), units);
+      fits[cell] = fitter.fit(cell, ground_of(nodes, scene.terrain(), frame, column, row));
       store_fit(fits[cell], cell, map);
       top = std::max(top, fits[cell].top_m);
       error = std::max(error, fits[cell].error_m);

@@ -15,6 +15,7 @@ namespace vicus {
 namespace {
 
 constexpr std::int32_t kGridCell_mm = 64'000;
+constexpr double kOnWall_mm = 2;           // a roof's corner over a wall: rounded to 1 mm
 constexpr double kOnFacade_mm = 10;        // facades are straightened by kStraight_mm
 constexpr double kLeastArea_mm2 = 10'000;  // of a triangle that may say how a facet lies
 
@@ -74,10 +75,13 @@ double along_m(PlanPoint p, PlanPoint a, PlanPoint b) {
   return length > 0 ? (metres(std::int64_t{p.x} - a.x) * dx + metres(std::int64_t{p.y} - a.y) * dy) / length : 0;
 }
 
-void add_walls(const Ring& ring, const std::vector<const Facade*>& facades, BakeHouse& out) {
+void add_walls(const Building& house, const Ring& ring, const std::vector<const Facade*>& facades, BakeHouse& out) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    BakeWall wall{metres(a.x), metres(a.y), metres(b.x), metres(b.y), -1, 0, 0};
+    BakeWall wall{metres(a.x), metres(a.y), metres(b.x), metres(b.y), -1, 0, 0, house.ground_m + house.eave_m};
+    for (const RoofPoint& p : house.roof.points)
+      if (distance_to_segment_mm(p.at, a, b) <= kOnWall_mm)
+        wall.top_m = std::max(wall.top_m, house.ground_m + p.up / kRoofStepsPerMetre);
     for (std::size_t f = 0; f < facades.size() && wall.facade < 0; ++f) {
       const Facade& facade = *facades[f];  // ground on its left, seen from there it runs from b to a
       if (distance_to_segment_mm(a, facade.b, facade.a) > kOnFacade_mm ||
@@ -172,8 +176,8 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
     hash_shape(house, hash);
     const auto own = facades.find(house.id);
     const std::vector<const Facade*> none, &list = own == facades.end() ? none : own->second;
-    add_walls(house.footprint.outer, list, out);
-    for (const auto& hole : house.footprint.holes) add_walls(hole, list, out);
+    add_walls(house, house.footprint.outer, list, out);
+    for (const auto& hole : house.footprint.holes) add_walls(house, hole, list, out);
     for (const Facade* f : list) {
       const auto found = pictures.find(f->texture);
       out.facades.push_back({found == pictures.end() ? nullptr : found->second, length_m(*f),
@@ -244,19 +248,31 @@ std::uint64_t BakeScene::key_of(const PlanBox& box) const {
   return hash.value();
 }
 
-ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m,
-                     double high_m) {
+namespace {
+
+/// Mean below the wall's top.
+ColourMean below_roof(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m,
+                      double high_m) {
   const ColourMean plain = mean_of(house.wall_colour);
   if (wall.facade < 0) return plain;
   const BakeFacade& f = house.facades[static_cast<std::size_t>(wall.facade)];
   const double low = std::clamp(low_m, f.bottom_m, f.top_m), high = std::clamp(high_m, f.bottom_m, f.top_m);
-  if (!f.picture || high <= low || high_m <= low_m) return plain;
+  if (!f.picture || high <= low) return plain;
   const double x0 = wall.from_m + from * (wall.to_m - wall.from_m), x1 = wall.from_m + to * (wall.to_m - wall.from_m);
   const double scale = f.repeats / f.length_m, u0 = std::min(x0, x1) * scale, u1 = std::max(x0, x1) * scale;
   if (u1 - u0 < 1e-9) return plain;  // a stretch of nothing
   const double height = f.top_m - f.bottom_m, share = (high - low) / (high_m - low_m);
   return f.picture->mean(u0, u1, (low - f.bottom_m) / height, (high - f.bottom_m) / height) * share +
          plain * (1 - share);
+}
+
+}  // namespace
+
+ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m,
+                     double high_m) {
+  const double cut = std::clamp(wall.top_m, low_m, high_m), share = (cut - low_m) / (high_m - low_m);
+  const ColourMean roof = mean_of(house.roof_colour);
+  return cut > low_m ? below_roof(house, wall, from, to, low_m, cut) * share + roof * (1 - share) : roof;
 }
 
 }  // namespace vicus

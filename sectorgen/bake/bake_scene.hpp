@@ -29,6 +29,7 @@ struct BakeWall {
   double ax = 0, ay = 0, bx = 0, by = 0;
   std::int32_t facade = -1;  ///< of the house; -1: blind
   double from_m = 0, to_m = 0;  ///< of a and b along the facade, from its left end seen from outside
+  double top_m = 0;             ///< where the roof begins, at its highest
 };
 
 /// Where a wall has a picture.
@@ -95,7 +96,8 @@ class BakeScene {
 /// The PNGs of City::textures.  Needs   the city outlives it.
 std::function<std::string(const std::string&)> pictures_of(const City& city);
 
-/// Mean colour of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0.
+/// Mean colour of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0. Above the wall
+/// it is the roof that shows.
 ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m, double high_m);
 
 /// FNV-1a over whole numbers, for keys.

@@ -50,11 +50,15 @@ Colour BlockMapColours::foot(std::size_t cell) const {
   const auto column = static_cast<long>(cell % n), row = static_cast<long>(cell / n);
   const CellLine line = line_of(map_->angle[cell], map_->offset[cell]);
   for (int k = 1; k <= 2; ++k) {
-    const long c = column + std::lround(k * line.east), r = row + std::lround(k * line.north);
+    const long east = std::lround(k * line.east), north = std::lround(k * line.north);
+    const long c = column + east, r = row + north;
     if (c < 0 || r < 0 || c >= static_cast<long>(n) || r >= static_cast<long>(n)) break;
     const std::size_t other = static_cast<std::size_t>(r) * n + static_cast<std::size_t>(c);
-    const std::int64_t difference = std::int64_t{map_->height[other]} - map_->foot[cell];
-    if (map_->offset[other] == 0 && std::abs(difference) * map_->step_um <= std::int64_t{map_->wall_step_um})
+    // The other's plane, carried on to this cell's middle.
+    const double rise = (slope_of(map_->slope_east[other]) * double(east) +
+                         slope_of(map_->slope_north[other]) * double(north)) * metres(map_->tile_side_mm) / double(n);
+    const double up = map_->height[other] * (map_->step_um * 1e-6) - rise;
+    if (std::abs(up - map_->foot[cell] * (map_->step_um * 1e-6)) <= map_->wall_step_um * 1e-6)
       return roof_.at(static_cast<std::size_t>(c), n - 1 - static_cast<std::size_t>(r));
   }
   return ground_.at(static_cast<std::size_t>(column / 2), n / 2 - 1 - static_cast<std::size_t>(row / 2));
@@ -90,7 +94,10 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
     look.colour = foot(cell);
     lie(0, 0);
   } else if (hit.surface == CastSurface::line) {
-    as_line(cell);
+    if (walls_[cell] & kWallLine)
+      as_line(cell);
+    else
+      as_plane();
   } else if (hit.surface == CastSurface::side) {
     const auto* step = kStep[static_cast<int>(hit.side)];
     const auto bit = static_cast<std::uint8_t>(1u << static_cast<int>(hit.side));
@@ -105,9 +112,9 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
     } else if (walls_[cell] & bit) {
       look.colour = wall(cell, bit, up);
       stand(step[0], step[1]);
-    } else if (map_->offset[cell] != 0) {
+    } else if (walls_[cell] & kWallLine) {
       as_line(cell);
-    } else if (map_->offset[other] != 0) {
+    } else if (walls_[other] & kWallLine) {
       as_line(other);
     } else {
       as_plane();

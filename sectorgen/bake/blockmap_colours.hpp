@@ -17,7 +17,7 @@ struct HitLook {
 /// The pictures of a tile, unpacked; the rules of colouring that caster and shader share are said here.
 ///
 /// plane   the roof picture. foot: the roof picture one or two cells on, in the direction of the line's normal, of the
-///         first that has no line and lies within wall_step of the foot; else the ground picture.
+///         first whose plane, carried on, lies within wall_step of the foot; else the ground picture.
 /// side    not more than wall_step below the plane: the plane's. Else the column of that side; else the cell's line; else
 ///         the line of the cell that the ray came from; else the plane's.
 class BlockMapColours {

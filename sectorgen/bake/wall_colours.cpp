@@ -60,7 +60,7 @@ class WallPainter {
     found_.clear();
     const auto take = [&](std::size_t at) {
       for (const WallPiece& w : pieces_.walls_of(at)) {
-        const double dx = w.b.x - w.a.x, dy = w.b.y - w.a.y, length = std::hypot(dx, dy);
+        const double dx = w.b.x - w.a.x, dy = w.b.y - w.a.y, length = std::sqrt(dx * dx + dy * dy);
         const double facing = dy * side.east - dx * side.north;  // outward is (dy, -dx)
         if (facing > kFaces * length) add(w, facing);
       }
@@ -88,7 +88,7 @@ class WallPainter {
       for (const WallPiece& w : pieces_.walls_of(cell)) {
         const double dx = w.b.x - w.a.x, dy = w.b.y - w.a.y;
         const double facing = dy * line.east - dx * line.north;
-        if (facing > least * std::hypot(dx, dy) && is_high(cell, w)) add(w, facing);
+        if (facing > least * std::sqrt(dx * dx + dy * dy) && is_high(cell, w)) add(w, facing);
       }
     };
     take(kFaces);
