@@ -13,8 +13,8 @@
 #define BLOCKMAP2007_HEADER_BYTES 32
 #define BLOCKMAP2007_CHANNELS 3
 // Texels [0, n): red height, green the wall column (0: none; 1 ... 255 over the w columns), blue the distance in texels
-// to the nearest one of another height. [n, 2n): colour of roof or ground. [2n, 2n + w): wall columns, the foot in the
-// last row but one, the normal in the last.
+// to the nearest house, 0 in houses. [n, 2n): colour of roof or ground. [2n, 2n + w): wall columns, the foot in the
+// last row but one and the top in the first, the normal in the last.
 #define BLOCKMAP2007_HEIGHT_CHANNEL 0
 #define BLOCKMAP2007_COLUMN_CHANNEL 1
 #define BLOCKMAP2007_DISTANCE_CHANNEL 2

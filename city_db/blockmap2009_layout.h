@@ -12,8 +12,15 @@
 #define BLOCKMAP2009_TOP_AT 28               // u32: mm above it, height 255
 #define BLOCKMAP2009_HEADER_BYTES 32
 #define BLOCKMAP2009_CHANNELS 4
-// Texels [0, n): red height, green the wall column (0: none), blue the distance map; alpha, and the green and blue of
-// texels without a column, are 255 and 0. [n, 2n): colour of roof or ground, ambient occlusion in alpha. [2n, 2n + w):
-// in each slice wall columns with ambient occlusion in alpha, the normal in the slice's last row. The roof's normal is
-// (east + 128, north + 128) in a second square below the first one in the paper's figure 2: here texels [2n + w, 3n + w).
-#define BLOCKMAP2009_ROOF_NORMALS 1          // squares of n texels after the columns
+// Texels [0, n): red height; of void texels green 0, blue the distance in texels to the nearest house, alpha 255; of
+// houses green and alpha the wall column (0: none; 1 ... 65535 over the w columns, green the low byte), blue the roof's
+// normal, 4 bits east, 4 bits north, 8 is 0, in sevenths: the paper has a map of normals, but says not where.
+// [n, 2n): colour of roof or ground, ambient light in alpha. [2n, 2n + w): in each slice, the first at the top, wall
+// columns with ambient light in alpha, the foot in the slice's last row but one, the normal in its last.
+#define BLOCKMAP2009_HEIGHT_CHANNEL 0
+#define BLOCKMAP2009_COLUMN_CHANNEL 1
+#define BLOCKMAP2009_DISTANCE_CHANNEL 2
+#define BLOCKMAP2009_NORMAL_CHANNEL 2
+#define BLOCKMAP2009_COLUMN_HIGH_CHANNEL 3
+#define BLOCKMAP2009_FIRST_COLUMN 1
+#define BLOCKMAP2009_LAST_COLUMN 65535

@@ -168,6 +168,9 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
     BakeHouse& out = houses_[i];
     out.id = house.id;
     out.box = box_of(house.footprint);
+    out.footprint = house.footprint;
+    out.ground_m = house.ground_m;
+    out.eave_m = house.eave_m;
     out.top_m = house.ground_m + house.height_m;
     out.wall_colour = house.wall_colour;
     out.roof_colour = house.roof_colour;

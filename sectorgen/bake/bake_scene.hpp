@@ -42,7 +42,9 @@ struct BakeFacade {
 struct BakeHouse {
   PlanBox box;
   std::string id;
-  double top_m = 0;
+  Polygon footprint;
+  double ground_m = 0, eave_m = 0;  ///< above the plan frame's 0; above the ground
+  double top_m = 0;                 ///< above the plan frame's 0
   Colour wall_colour, roof_colour;
   std::vector<UpPlane> planes;
   std::vector<BakeTriangle> roof;  ///< covers the footprint once
