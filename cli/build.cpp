@@ -12,6 +12,7 @@
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
 #include "cli/tiles.hpp"
+#include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/geo/map_name.hpp"
 #include "x3d_export/package.hpp"
 
@@ -183,6 +184,7 @@ void run(const Arguments& arguments, Context& context) {
   fill_meta(arguments, map, city);
 
   std::vector<Artefact> tiles;
+  city.meta["tile_levels"] = std::to_string(levels_of(city));
   if (!arguments.no_tiles) {
     clock.begin("tiles");
     tiles = bake_tiles(city, arguments.output, arguments.threads);

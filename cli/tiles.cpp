@@ -54,10 +54,9 @@ std::uint32_t error_of(const std::string& plain, TileKind kind) {
 
 }  // namespace
 
-std::vector<Artefact> bake_tiles(City& city, const std::filesystem::path& previous, unsigned threads) {
+std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& previous, unsigned threads) {
   const BakeScene scene(city, pictures_of(city), threads);
-  const int levels = tile_levels(scene.box());
-  city.meta["tile_levels"] = std::to_string(levels);
+  const int levels = levels_of(city);
   const auto nodes = plan_tiles(scene, levels, threads);
   std::vector<TileEntry> entries(nodes.size());
   std::vector<std::vector<Artefact>> made(nodes.size());

@@ -11,9 +11,9 @@
 /// Tiles for flying over: baked by `vicus build`, or by `vicus serve` when first asked for.
 namespace vicus::cli {
 
-/// Sets meta "tile_levels"; the tiles that plan_tiles says, and the list of them, as they are stored. A tile of the city
+/// The tiles that plan_tiles says, and the list of them, as they are stored. A tile of the city
 /// that is replaced (`previous`, which need not exist) is taken over where nothing in it has changed.
-std::vector<Artefact> bake_tiles(City& city, const std::filesystem::path& previous, unsigned threads);
+std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& previous, unsigned threads);
 
 /// One after the other.
 std::function<std::optional<Artefact>()> followed_by(std::function<std::optional<Artefact>()> first,

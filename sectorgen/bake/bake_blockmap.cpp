@@ -9,6 +9,7 @@
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/cell_fit.hpp"
 #include "sectorgen/bake/ground_colours.hpp"
+#include "sectorgen/bake/surface_distance.hpp"
 #include "sectorgen/bake/wall_colours.hpp"
 
 namespace vicus {
@@ -18,6 +19,7 @@ constexpr double kLeastStep_m = 0.005;
 constexpr double kStepsACell = 32;      // of height: rounding is 1/64 of a cell
 constexpr double kWallStep = 0.75;      // cells: neighbours that stand for one roof differ by less
 constexpr double kLeastWall_m = 0.3;
+constexpr double kBadCell = 1;          // cells
 constexpr double kBaseBelow_m = 0.001;  // of the ground, so that rounding leaves it above
 
 /// The ground at the corners of all cells, metres above the plan frame's 0.
@@ -84,6 +86,27 @@ CellGround ground_of(const GroundNodes& nodes, const Terrain& terrain, const Til
       out.rough_m = std::max(out.rough_m, std::abs(height_m(terrain, {lattice_mm(x), lattice_mm(y)}) - own.at(x, y)));
     }
   return out;
+}
+
+/// The largest error of all cells. Of those whose own surface passes far from what stands in them (three heights in one cell,
+/// say) the distance to the surface around counts: a neighbour's may be near.
+double measured_error(const BakeScene& scene, const TileFrame& frame, const GroundNodes& nodes, const BlockMap& map,
+                      const std::vector<CellFit>& fits, CellFitter& fitter) {
+  const SurfaceDistance surface(map);
+  double error = 0;
+  for (std::size_t cell = 0; cell < fits.size(); ++cell) {
+    double own = fits[cell].error_m;
+    if (own > kBadCell * frame.cell_m()) {
+      const CellGround ground = ground_of(nodes, scene.terrain(), frame, cell % map.side, cell / map.side);
+      double around = 0;
+      fitter.true_corners(cell, ground, [&](CellPoint at, double up_m) {
+        around = std::max(around, surface.at_most(cell, at, up_m));
+      });
+      own = std::max(fits[cell].back_m, std::min(own, around + ground.rough_m));
+    }
+    error = std::max(error, own);
+  }
+  return error;
 }
 
 void store_fit(const CellFit& f, std::size_t cell, BlockMap& map) {
@@ -185,6 +208,7 @@ BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint3
       top = std::max(top, fits[cell].top_m);
       error = std::max(error, fits[cell].error_m);
     }
+  if (error > kBadCell * cell_m) error = measured_error(scene, frame, nodes, map, fits, fitter);
   map.top = static_cast<std::uint32_t>(std::ceil(top / units.step_m));
   map.error_mm = static_cast<std::uint32_t>(std::ceil(error * kMmPerMetre));
   map.rows = options.rows != 0 ? options.rows

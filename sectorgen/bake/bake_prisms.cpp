@@ -9,7 +9,7 @@
 namespace vicus {
 namespace {
 
-constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 1024, kUpStep_mm = 100;
+constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 512, kUpStep_mm = 100;
 constexpr std::size_t kMostColours = 4096;
 
 /// Douglas and Peucker between two points kept; the last is left to the caller.

@@ -4,7 +4,7 @@
 
 namespace vicus {
 
-/// The houses that reach into the square, whole, with points rounded to 1/1024 of its side (10 cm at least) on a lattice
+/// The houses that reach into the square, whole, with points rounded to 1/512 of its side (10 cm at least) on a lattice
 /// that all tiles of one size share, and footprints simplified by as much: two tiles that both have a house have the same.
 ///
 /// Error   error_mm: rounding and simplification in plan, and how far the simple roof passes from the true one (corners of

@@ -35,6 +35,15 @@ std::string error_text(bool has, std::uint32_t error_mm) {
 
 }  // namespace
 
+int levels_of(const City& city) {
+  PlanBox box;
+  for (const Building& house : city.buildings)
+    for (const PlanPoint p : house.footprint.outer) box.add(p);
+  for (const Surface& surface : city.surfaces)
+    for (const GroundPoint& p : surface.points) box.add(p.at);
+  return tile_levels(box);
+}
+
 std::vector<TileNode> plan_tiles(const BakeScene& scene, int levels, unsigned threads) {
   std::vector<TileNode> out;
   add_below(scene, levels, {}, out);

@@ -25,6 +25,9 @@ struct TileNode {
   std::uint64_t key = 0;  ///< of all that its bytes are made from
 };
 
+/// Levels of the tree over all houses and surfaces of a city.
+int levels_of(const City& city);
+
 /// From the root down, by level, row, column. Tiles without houses are not among them, but for the root.
 std::vector<TileNode> plan_tiles(const BakeScene& scene, int levels, unsigned threads);
 

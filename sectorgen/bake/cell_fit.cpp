@@ -360,7 +360,20 @@ double CellFitter::line_error(CellFit& f) const {
   }
   f.top_m = std::max(foot, plane.up + (std::abs(plane.east) + std::abs(plane.north)) / 2);
   // Back from the line's wall to the true one: it passes within the slab that both sides overlap in.
-  return std::max(error, slab * units_.cell_m);
+  f.back_m = slab * units_.cell_m;
+  return std::max(error, f.back_m);
+}
+
+void CellFitter::true_corners(std::size_t cell, const CellGround& ground,
+                              const std::function<void(CellPoint, double)>& take) {
+  ground_ = ground;
+  collect(cell);
+  for (const Part& part : parts_) {
+    if (part.piece)
+      for (const CellPoint p : pieces_.points_of(*part.piece)) take(p, part.piece->up_at(p));
+    else
+      ground_corners([&](CellPoint p) { take(p, ground_.up_at(p)); });
+  }
 }
 
 }  // namespace vicus

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "sectorgen/bake/cell_pieces.hpp"
 
 /// The plane and the line of one cell (blockmap.hpp) from what stands in it.
@@ -22,6 +24,7 @@ struct CellFit {
   std::uint8_t slope_east = 0, slope_north = 0, angle = 0, offset = 0;
   double top_m = 0;    ///< no surface of the cell is higher above the base plane
   double error_m = 0;  ///< bound of the distance of true points of the cell from its surface, and back
+  double back_m = 0;   ///< the part of it that is the way back: from the line to the true walls
   bool ground_above = false;  ///< ground is among what the plane stands for
   std::uint32_t above = 0;    ///< bit i: roof piece i belongs to the plane (of the first 31; of the others bit 31)
 };
@@ -38,6 +41,9 @@ class CellFitter {
   /// Needs   `pieces` outlives it.
   CellFitter(const CellPieces& pieces, const CellUnits& units);
   CellFit fit(std::size_t cell, const CellGround& ground);
+  /// The corners of what stands in the cell, with their heights.
+  void true_corners(std::size_t cell, const CellGround& ground,
+                    const std::function<void(CellPoint at, double up_m)>& take);
 
  private:
   /// What a cell is made of: roof pieces and the bare ground. Moments over its area, around the cell's middle.

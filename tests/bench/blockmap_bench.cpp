@@ -23,6 +23,7 @@
 ///   blockmap_bench CITY.gpkg speed                        tiles and rays a second, bytes
 ///   blockmap_bench CITY.gpkg prisms                       bytes a house, level by level
 ///   blockmap_bench CITY.gpkg compare                      error at equal bytes: 2007, 2009, ours
+///   blockmap_bench CITY.gpkg error                        measured against stored error
 ///   blockmap_bench CITY.gpkg rebake                       one house changes: what is baked again, and how long it takes
 ///   blockmap_bench CITY.gpkg picture OUT E,N,UP DIST EL AZ SIDE CELLS   truth and BlockMap+ side by side
 namespace {
@@ -350,6 +351,50 @@ void compare(const Loaded& city) {
   }
 }
 
+/// Of rays from all around: how far what they meet in a tile lies from the true city, as a share of what the tile says.
+void error(const Loaded& city) {
+  const BakeScene& scene = *city.scene;
+  std::printf("side_m cells stored_m worst_m mean_m rays\n");
+  for (const std::uint32_t tile_mm : {128'000u, 512'000u})
+    for (const PlanPoint corner : full_tiles(scene, tile_mm, 4)) {
+      const auto side = static_cast<std::int32_t>(tile_mm);
+      const TrueCity truth(scene, {{corner.x - 30'000, corner.y - 30'000},
+                                   {corner.x + side + 30'000, corner.y + side + 30'000}});
+      for (const std::uint32_t cells : {32u, 64u, 128u}) {
+        BlockMapOptions options;
+        options.side = cells;
+        const BlockMap map = bake_unpacked(scene, corner, tile_mm, options).map;
+        const BlockMapCaster caster(map);
+        const double size = metres(tile_mm), stored = map.error_mm / 1000.0;
+        double worst = 0, sum = 0;
+        int count = 0;
+        std::srand(1);
+        const auto unit = [] { return std::rand() / (RAND_MAX + 1.0); };
+        for (int i = 0; i < 100'000; ++i) {
+          const double turn = 6.283185307 * unit(), steep = 0.02 + 1.5 * unit() * unit(), back = size * (0.2 + unit());
+          const PlanRay ray{metres(corner.x) + size * unit() - std::cos(turn) * back,
+                            metres(corner.y) + size * unit() - std::sin(turn) * back,
+                            3 + 15 * unit() + back * steep,
+                            std::cos(turn),
+                            std::sin(turn),
+                            -steep};
+          const CastHit hit = caster.cast(ray);
+          if (!hit || hit.t < 1e-3) continue;  // begins in a house
+          const double x = ray.x + hit.t * ray.dx, y = ray.y + hit.t * ray.dy;
+          const double rim = std::min({x - metres(corner.x), metres(corner.x) + size - x, y - metres(corner.y),
+                                       metres(corner.y) + size - y});
+          if (rim < 0.02) continue;  // the rim is closed, whatever stands beyond it
+          const double d = truth.distance(x, y, ray.z + hit.t * ray.dz, stored * 2 + 5);
+          worst = std::max(worst, d);
+          sum += d;
+          ++count;
+        }
+        std::printf("%6.0f %5u %8.2f %7.2f %6.3f %6d%s\n", size, cells, stored, worst, sum / count, count,
+                    worst > stored + 0.02 ? "  EXCEEDED" : "");
+      }
+    }
+}
+
 void rebake(Loaded& city) {
   const int levels = tile_levels(city.scene->box());
   const auto before = plan_tiles(*city.scene, levels, 1);
@@ -379,9 +424,10 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[2], "speed") == 0) return speed(city), 0;
     if (std::strcmp(argv[2], "prisms") == 0) return prisms(city), 0;
     if (std::strcmp(argv[2], "compare") == 0) return compare(city), 0;
+    if (std::strcmp(argv[2], "error") == 0) return error(city), 0;
     if (std::strcmp(argv[2], "rebake") == 0) return rebake(city), 0;
     if (std::strcmp(argv[2], "picture") == 0 && argc == 10) return picture(city, argv + 3), 0;
   }
-  std::fprintf(stderr, "usage: blockmap_bench CITY.gpkg speed | prisms | compare | rebake | picture OUT E,N,UP DIST EL AZ SIDE CELLS\n");
+  std::fprintf(stderr, "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | rebake | picture OUT E,N,UP DIST EL AZ SIDE CELLS\n");
   return 2;
 }

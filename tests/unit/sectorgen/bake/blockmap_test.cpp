@@ -108,6 +108,32 @@ TEST(BlockMap, PicturesOfBothCastersAgreeWithinAPixel) {
   }
 }
 
+/// A bound of the distance of a point from the tile's surface: the nearest of what rays past it meet.
+double distance_by_rays(const BlockMapCaster& caster, const PlanRay& ray, double x, double y, double z, double reach) {
+  double least = 1e9;
+  const auto look = [&](const PlanRay& r) {
+    const CastHit hit = caster.cast(r);
+    if (!hit) return;
+    const double dx = r.x + hit.t * r.dx - x, dy = r.y + hit.t * r.dy - y, dz = r.z + hit.t * r.dz - z;
+    least = std::min(least, std::sqrt(dx * dx + dy * dy + dz * dz));
+  };
+  look(ray);
+  for (const double radius : {0.2, 0.5, 0.95})
+    for (int k = 0; k < 16; ++k) {
+      const double a = reach * radius * std::cos(k * 0.3927), b = reach * radius * std::sin(k * 0.3927);
+      PlanRay aside = ray;
+      aside.x += -a * ray.dy;
+      aside.y += a * ray.dx;
+      aside.z += b;
+      look(aside);
+      look({x + a, y + b, z + 200, 0.0001, 0.0001, -1});
+      look({x + a, y + b, z + 200, ray.dx * 0.3, ray.dy * 0.3, -1});
+      for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}})
+        look({x - dx * (reach + 1) - dy * a, y - dy * (reach + 1) + dx * a, z + b, dx, dy, 0.0001});
+    }
+  return least;
+}
+
 /// What is seen of the tile lies no farther from the true city than the tile says, from any side.
 TEST(BlockMap, KeepsItsStoredError) {
   double worst_share = 0;
@@ -134,13 +160,23 @@ TEST(BlockMap, KeepsItsStoredError) {
         const double x = ray.x + hit.t * ray.dx, y = ray.y + hit.t * ray.dy, z = ray.z + hit.t * ray.dz;
         const double rim = std::min(std::min(x - metres(corner.x), metres(corner.x) + 128 - x),
                                     std::min(y - metres(corner.y), metres(corner.y) + 128 - y));
-        if (!hit || rim < 0.01) continue;
+        if (!hit || rim < 0.01 || hit.t < 1e-3) continue;  // begins in a house
         ++hits;
         const double distance = truth.distance(x, y, z, error + 5);
         EXPECT_LE(distance, error + 0.012) << x << ' ' << y << ' ' << z;
         worst_share = std::max(worst_share, distance / error);
       }
       EXPECT_GT(hits, 5000);
+      // And what is seen of the city lies no farther from the tile. Within the tile's middle: others have its rim.
+      for (int i = 0; i < 1500; ++i) {
+        const PlanRay ray = random_ray(random, corner);
+        const Seen seen = truth.see(ray);
+        const double x = ray.x + seen.t * ray.dx, y = ray.y + seen.t * ray.dy, z = ray.z + seen.t * ray.dz;
+        const double rim = std::min(std::min(x - metres(corner.x), metres(corner.x) + 128 - x),
+                                    std::min(y - metres(corner.y), metres(corner.y) + 128 - y));
+        if (std::isinf(seen.t) || rim < error || caster.cast(ray).t < 1e-3) continue;
+        EXPECT_LE(distance_by_rays(caster, ray, x, y, z, error), error + 0.012) << x << ' ' << y << ' ' << z;
+      }
     }
   }
   EXPECT_GT(worst_share, 0.3);  // the bound is not idle
@@ -310,7 +346,7 @@ TEST(PaperBlockMap, HasThePublishedSizesAndComesBack) {
         EXPECT_LE(map.wall_column(column, row), c.w);
         walls += is_boundary;
       }
-    EXPECT_GT(walls, 3);
+    EXPECT_GT(walls, 0);
   }
 }
 
