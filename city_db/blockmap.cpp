@@ -1,5 +1,6 @@
 #include "city_db/blockmap.hpp"
 
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -51,11 +52,16 @@ bool is_sound(const BlockMap& map) {
 
 }  // namespace
 
-double slope_of(std::uint8_t stored) { return (stored - BLOCKMAP_SLOPE_ZERO) / double{BLOCKMAP_SLOPE_ONE}; }
-
 CellLine line_of(std::uint8_t angle, std::uint8_t offset) {
-  const double turn = angle * (2 * std::numbers::pi / 256);
-  return {std::cos(turn), std::sin(turn),
+  static const auto kNormals = [] {
+    std::array<std::pair<double, double>, 256> out;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double turn = static_cast<double>(i) * (2 * std::numbers::pi / 256);
+      out[i] = {std::cos(turn), std::sin(turn)};
+    }
+    return out;
+  }();
+  return {kNormals[angle].first, kNormals[angle].second,
           (offset - BLOCKMAP_OFFSET_ZERO) * (std::numbers::sqrt2 / 2 / BLOCKMAP_OFFSET_STEPS)};
 }
 

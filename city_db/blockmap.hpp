@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "city_db/blockmap_layout.h"
 #include "city_db/units.hpp"
 
 /// One tile of the image-based city in our own form, "BlockMap+": a plane for each cell of a grid, one footprint line
@@ -47,8 +48,8 @@ std::vector<std::uint8_t> wall_bits(const BlockMap& map);
 std::vector<std::uint32_t> first_columns(const std::vector<std::uint8_t>& walls);
 inline std::uint32_t column_total(const std::vector<std::uint32_t>& first) { return first.back(); }
 
-/// Slope as a number: steps of height over a length.
-double slope_of(std::uint8_t stored);
+/// Slope as a number: rise over run.
+inline double slope_of(std::uint8_t stored) { return (stored - BLOCKMAP_SLOPE_ZERO) / double{BLOCKMAP_SLOPE_ONE}; }
 /// Unit normal of a stored angle and signed distance of the line from the middle, in cells.
 struct CellLine {
   double east = 0, north = 0, distance = 0;

@@ -78,7 +78,17 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
     const double a = base_east + slope_east, b = base_north + slope_north, length = std::sqrt(a * a + b * b + 1);
     look.east = -a / length, look.north = -b / length, look.up = 1 / length;
   };
-  const auto stand = [&](double a, double b) { look.east = a, look.north = b, look.up = 0; };
+  // A wall is as light at its foot as the ground two cells before it, and as the open sky at its top.
+  const auto stand = [&](double a, double b, std::size_t at, std::uint8_t bit) {
+    look.east = a, look.north = b, look.up = 0;
+    if (ambient_.rgb.empty()) return;
+    const long last = static_cast<long>(n) - 1;
+    const long c = std::clamp(static_cast<long>(at % n) + std::lround(2 * a), 0L, last),
+               r = std::clamp(static_cast<long>(at / n) + std::lround(2 * b), 0L, last);
+    const double low = ambient_.at(static_cast<std::size_t>(c / 2), n / 2 - 1 - static_cast<std::size_t>(r / 2)).r / 255.0;
+    const WallSpan span = wall_span(*map_, at, static_cast<WallBit>(bit));
+    look.ambient = low + (1 - low) * std::clamp((up - span.low_m) / (span.high_m - span.low_m), 0.0, 1.0);
+  };
   const auto as_plane = [&] {
     look.colour = roof_.at(column, n - 1 - row);
     lie(east, north);
@@ -86,7 +96,7 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
   const auto as_line = [&](std::size_t at) {
     const CellLine line = line_of(map_->angle[at], map_->offset[at]);
     look.colour = wall(at, kWallLine, up);
-    stand(line.east, line.north);
+    stand(line.east, line.north, at, kWallLine);
   };
   if (hit.surface == CastSurface::plane) {
     as_plane();
@@ -111,7 +121,7 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
       as_plane();
     } else if (walls_[cell] & bit) {
       look.colour = wall(cell, bit, up);
-      stand(step[0], step[1]);
+      stand(step[0], step[1], cell, bit);
     } else if (walls_[cell] & kWallLine) {
       as_line(cell);
     } else if (walls_[other] & kWallLine) {

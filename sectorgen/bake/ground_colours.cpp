@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kSamples = 2;           // a cell and direction
 constexpr double kReach_m = 32;       // of ambient light
+constexpr float kReflects = 0.5f;     // of the light that falls on walls: yards are not black
 constexpr int kMostReach = 16;        // samples
 constexpr int kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -151,7 +152,8 @@ std::vector<std::uint8_t> ambient_light(const BakeScene& scene, const TileFrame&
         }
         sky += 1 / (1 + tangent * tangent);
       }
-      out.push_back(static_cast<std::uint8_t>(sky * (255.0f / 8) + 0.5f));
+      const float seen = sky / 8;
+      out.push_back(static_cast<std::uint8_t>(seen / (1 - kReflects * (1 - seen)) * 255 + 0.5f));
     }
   return out;
 }

@@ -23,7 +23,8 @@ class GroundColours {
 };
 
 /// Ambient light of roofs and ground, 255: the whole sky; N/2 x N/2 values, south row first. Of eight directions the
-/// horizon within 32 m and 16 samples; the sky above it by the cosine law.
+/// horizon within 32 m and 16 samples; the sky above it by the cosine law, and what walls reflect of it,
+/// again and again.
 /// Source  paper 001 §4 "Ambient occlusion".
 /// Differs by horizons over the height field instead of counting views: no noise, 1/50 of the rays' cost. Houses beyond
 ///         the tile's rim count, so that tiles agree at their seams.

@@ -29,13 +29,15 @@ double SurfaceDistance::at_most(std::size_t cell, CellPoint at, double up_m) con
     for (long c = std::max(0L, column - 2); c <= std::min(n - 1, column + 2); ++c) {
       const auto here = static_cast<std::size_t>(r * n + c);
       const CellPoint q{at.x - static_cast<double>(c - column), at.y - static_cast<double>(r - row)};
+      const CellPoint inside{std::clamp(q.x, -0.5, 0.5), std::clamp(q.y, -0.5, 0.5)};
+      const double ax = (inside.x - q.x) * cell_m_, ay = (inside.y - q.y) * cell_m_;
+      if (ax * ax + ay * ay >= least2) continue;
       // A point of the surface over p, between two heights.
       const auto look = [&](CellPoint p, double a, double b) {
         const double dx = (p.x - q.x) * cell_m_, dy = (p.y - q.y) * cell_m_;
         const double dz = up_m - std::clamp(up_m, std::min(a, b), std::max(a, b));
         least2 = std::min(least2, dx * dx + dy * dy + dz * dz);
       };
-      const CellPoint inside{std::clamp(q.x, -0.5, 0.5), std::clamp(q.y, -0.5, 0.5)};
       const double up = up_at(here, inside);
       look(inside, up, up);
       if (map_.offset[here] != 0) {

@@ -93,7 +93,8 @@ Camera camera_around(double x, double y, double up, double distance, double elev
 
 Colour lit(const HitLook& look, bool with_ambient) {
   const double sun = std::max(0.0, 0.45 * look.east - 0.5 * look.north + 0.74 * look.up);
-  const double k = (0.55 + 0.1 * look.up + 0.45 * sun) * (with_ambient ? look.ambient : 1);
+  const double light = with_ambient ? look.ambient : 1;
+  const double k = (0.55 + 0.1 * look.up) * light + 0.45 * sun * (0.4 + 0.6 * light);
   return rounded(mean_of(look.colour) * k);
 }
 
