@@ -17,8 +17,8 @@ constexpr std::uint32_t kMostStep_um = 100'000'000;
 
 /// Height of the cell at the middle of one of its sides, um.
 std::int64_t height_at_side(const BlockMap& map, std::size_t cell, int east, int north) {
-  const std::int64_t rise = (map.slope_east[cell] - BLOCKMAP_SLOPE_ZERO) * east +
-                            (map.slope_north[cell] - BLOCKMAP_SLOPE_ZERO) * north;
+  const std::int64_t rise =
+      (map.slope_east[cell] - BLOCKMAP_SLOPE_ZERO) * east + (map.slope_north[cell] - BLOCKMAP_SLOPE_ZERO) * north;
   return std::int64_t{map.height[cell]} * map.step_um +
          rise * std::int64_t{map.tile_side_mm} * 1000 / (2 * BLOCKMAP_SLOPE_ONE * std::int64_t{map.side});
 }
@@ -45,7 +45,8 @@ bool is_sound(const BlockMap& map) {
   return std::has_single_bit(map.side) && map.side >= BLOCKMAP_LEAST_SIDE && map.side <= BLOCKMAP_MOST_SIDE &&
          map.rows >= BLOCKMAP_LEAST_ROWS && map.rows <= BLOCKMAP_MOST_ROWS && map.tile_side_mm > 0 &&
          map.tile_side_mm <= kMostTileSide_mm && map.step_um > 0 && map.step_um <= kMostStep_um &&
-         std::abs(std::int64_t{map.base_east}) <= 8 * BLOCKMAP_BASE_ONE && std::abs(std::int64_t{map.base_north}) <= 8 * BLOCKMAP_BASE_ONE &&
+         std::abs(std::int64_t{map.base_east}) <= 8 * BLOCKMAP_BASE_ONE &&
+         std::abs(std::int64_t{map.base_north}) <= 8 * BLOCKMAP_BASE_ONE &&
          std::abs(std::int64_t{map.corner.x}) < kPlanLimit && std::abs(std::int64_t{map.corner.y}) < kPlanLimit &&
          std::abs(std::int64_t{map.base_mm}) < kPlanLimit;
 }

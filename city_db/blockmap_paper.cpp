@@ -46,7 +46,8 @@ ColumnRange range_of(const PaperBlockMap& map) {
 std::uint32_t PaperBlockMap::wall_column(std::size_t column, std::size_t row) const {
   const std::uint8_t* p = cell(column, row);
   std::uint32_t value = p[BLOCKMAP2007_COLUMN_CHANNEL];
-  if (year == PaperYear::y2009) value = p[BLOCKMAP2009_HEIGHT_CHANNEL] == 0 ? 0 : value + 256u * p[BLOCKMAP2009_COLUMN_HIGH_CHANNEL];
+  if (year == PaperYear::y2009)
+    value = p[BLOCKMAP2009_HEIGHT_CHANNEL] == 0 ? 0 : value + 256u * p[BLOCKMAP2009_COLUMN_HIGH_CHANNEL];
   if (value == 0) return 0;
   const auto [first, last] = range_of(*this);
   if (columns >= last) return std::min(value, columns);

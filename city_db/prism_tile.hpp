@@ -18,9 +18,9 @@ struct PrismHouse {
   bool is_owned = true;  ///< its middle lies in the tile
   /// Steps from the tile's corner; outer counter-clockwise, then holes clockwise; at least three points each.
   std::vector<std::vector<PlanPoint>> rings;
-  std::int32_t ground = 0;             ///< steps above the tile's base
-  std::uint32_t eave = 0, rise = 0;    ///< steps above the ground, above the eave
-  std::uint16_t wall = 0, roof = 0;    ///< of the palette
+  std::int32_t ground = 0;           ///< steps above the tile's base
+  std::uint32_t eave = 0, rise = 0;  ///< steps above the ground, above the eave
+  std::uint16_t wall = 0, roof = 0;  ///< of the palette
   friend bool operator==(const PrismHouse&, const PrismHouse&) = default;
 };
 

@@ -6,8 +6,9 @@
 
 #include "city_db/units.hpp"
 
-/// The quadtree over the plan that flying uses (paper 000 §4, 001 §6): the root is a square around the plan's origin, each
-/// level halves it, the smallest tiles are kLeafSide_mm wide. A city that grows keeps its tiles: only roots are added.
+/// The quadtree over the plan that flying uses (paper 000 §4, 001 §6): the root is a square around the plan's origin,
+/// each level halves it, the smallest tiles are kLeafSide_mm wide. A city that grows keeps its tiles: only roots are
+/// added.
 namespace vicus {
 
 inline constexpr std::uint32_t kLeafSide_mm = 128'000;

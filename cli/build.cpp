@@ -38,7 +38,7 @@ struct Progress {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
     static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1}, {"sectors", 0.2},
                                                         {"records", 0.25}, {"models", 0.27},   {"visibility", 0.3},
-                                                        {"tiles", 0.8},        {"export", 0.85}};
+                                                        {"tiles", 0.8},    {"export", 0.85}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)

@@ -82,8 +82,8 @@ void serve(const Arguments& arguments, Context& context) {
         "--x_ite node_modules/x_ite");
   const auto files = std::make_shared<const StaticFiles>(x_ite);
   const auto metrics = std::make_shared<Metrics>();
-  const auto tiles = std::make_shared<MadeTiles>(
-      [path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
+  const auto tiles =
+      std::make_shared<MadeTiles>([path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
   raise_descriptor_limit(arguments.options);
   const auto new_responder = [&]() -> Responder {
     const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles);

@@ -37,8 +37,7 @@ class PreviousTiles {
     if (!reader_) return std::nullopt;
     auto artefact = reader_->artefact(path, {"br", "identity"});
     if (!artefact) return std::nullopt;
-    auto bytes =
-        artefact->coding == "br" ? unbrotli(artefact->body, kMostTile_bytes) : std::optional(artefact->body);
+    auto bytes = artefact->coding == "br" ? unbrotli(artefact->body, kMostTile_bytes) : std::optional(artefact->body);
     if (!bytes || key_of_bytes(*bytes, kind) != key) return std::nullopt;
     plain = std::move(*bytes);
     return artefact;
@@ -107,8 +106,7 @@ std::optional<MadeTile> make_tile(const std::filesystem::path& city, const std::
   }
   const CityReader reader(city);
   int levels = 0;
-  if (const auto text = reader.meta("tile_levels"))
-    std::from_chars(text->data(), text->data() + text->size(), levels);
+  if (const auto text = reader.meta("tile_levels")) std::from_chars(text->data(), text->data() + text->size(), levels);
   if (levels < 1 || levels > kMostTileLevels) return std::nullopt;  // built by a program that knew no tiles
   const auto at = parse_tile(name, levels);
   if (!at) return std::nullopt;

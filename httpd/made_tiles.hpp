@@ -34,8 +34,8 @@ class MadeTiles {
 
  private:
   struct Entry {
-    bool is_done = false;                   ///< made, or found not to exist, or failed
-    bool is_kept = false;                   ///< is in by_use_
+    bool is_done = false;  ///< made, or found not to exist, or failed
+    bool is_kept = false;  ///< is in by_use_
     std::shared_ptr<const MadeTile> tile;
     std::exception_ptr failure;
     std::list<std::string>::iterator used;  ///< where is_kept

@@ -16,8 +16,8 @@ namespace vicus {
 namespace {
 
 constexpr double kLeastStep_m = 0.005;
-constexpr double kStepsACell = 32;      // of height: rounding is 1/64 of a cell
-constexpr double kWallStep = 0.75;      // cells: neighbours that stand for one roof differ by less
+constexpr double kStepsACell = 32;  // of height: rounding is 1/64 of a cell
+constexpr double kWallStep = 0.75;  // cells: neighbours that stand for one roof differ by less
 constexpr double kLeastWall_m = 0.3;
 constexpr double kBadCell = 1;          // cells
 constexpr double kBaseBelow_m = 0.001;  // of the ground, so that rounding leaves it above
@@ -88,8 +88,8 @@ CellGround ground_of(const GroundNodes& nodes, const Terrain& terrain, const Til
   return out;
 }
 
-/// The largest error of all cells. Of those whose own surface passes far from what stands in them (three heights in one cell,
-/// say) the distance to the surface around counts: a neighbour's may be near.
+/// The largest error of all cells. Of those whose own surface passes far from what stands in them (three heights in one
+/// cell, say) the distance to the surface around counts: a neighbour's may be near.
 double measured_error(const BakeScene& scene, const TileFrame& frame, const GroundNodes& nodes, const BlockMap& map,
                       const std::vector<CellFit>& fits, CellFitter& fitter) {
   const SurfaceDistance surface(map);
@@ -99,9 +99,8 @@ double measured_error(const BakeScene& scene, const TileFrame& frame, const Grou
     if (own > kBadCell * frame.cell_m()) {
       const CellGround ground = ground_of(nodes, scene.terrain(), frame, cell % map.side, cell / map.side);
       double around = 0;
-      fitter.true_corners(cell, ground, [&](CellPoint at, double up_m) {
-        around = std::max(around, surface.at_most(cell, at, up_m));
-      });
+      fitter.true_corners(
+          cell, ground, [&](CellPoint at, double up_m) { around = std::max(around, surface.at_most(cell, at, up_m)); });
       own = std::max(fits[cell].back_m, std::min(own, around + ground.rough_m));
     }
     error = std::max(error, own);

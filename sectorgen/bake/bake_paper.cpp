@@ -68,7 +68,8 @@ class PaperBaker {
     map_.top_mm = static_cast<std::uint32_t>(std::max(1.0, std::ceil(top * kMmPerMetre)));
     for (std::size_t c = 0; c < cells; ++c)
       if (up[c] >= 0)
-        map_.cell(c % map_.side, c / map_.side)[0] = std::max<std::uint8_t>(1, byte_of(up[c] / metres(map_.top_mm) * 255));
+        map_.cell(c % map_.side, c / map_.side)[0] =
+            std::max<std::uint8_t>(1, byte_of(up[c] / metres(map_.top_mm) * 255));
   }
 
   /// Texels to the nearest house, along rows and columns and diagonals (Chebyshev), by widening rings.
@@ -107,7 +108,8 @@ class PaperBaker {
         if (is_house)
           for (const RoofPiece& p : pieces_.roofs_of(index(column, row))) {
             sum = sum + mean_of(scene_.houses()[p.house].roof_colour) * p.area;
-            const double a = p.east / frame_.cell_m(), b = p.north / frame_.cell_m(), length = std::sqrt(a * a + b * b + 1);
+            const double a = p.east / frame_.cell_m(), b = p.north / frame_.cell_m(),
+                         length = std::sqrt(a * a + b * b + 1);
             east -= p.area * a / length;
             north -= p.area * b / length;
             area += p.area;
@@ -118,7 +120,9 @@ class PaperBaker {
         if (map_.year == PaperYear::y2007) continue;
         p[3] = ambient_at(column, row);
         if (!is_house) continue;
-        const auto seventh = [&](double v) { return static_cast<unsigned>(std::clamp(std::lround(v / area * 7) + 8, 1L, 15L)); };
+        const auto seventh = [&](double v) {
+          return static_cast<unsigned>(std::clamp(std::lround(v / area * 7) + 8, 1L, 15L));
+        };
         map_.cell(c, r)[BLOCKMAP2009_NORMAL_CHANNEL] = static_cast<std::uint8_t>(seventh(east) << 4 | seventh(north));
       }
   }
@@ -202,8 +206,10 @@ class PaperBaker {
         if (height(c + s[0], r + s[1]) >= height(c, r)) continue;
         east += s[0];
         north += s[1];
-        if (is_inside(c + s[0], r + s[1])) ambient += ambient_at(c + s[0], r + s[1]);
-        else ambient += 255;
+        if (is_inside(c + s[0], r + s[1]))
+          ambient += ambient_at(c + s[0], r + s[1]);
+        else
+          ambient += 255;
         add_side(c, r, s, sum);
         total += 1;
       }
@@ -239,7 +245,8 @@ class PaperBaker {
     for (const RoofPiece& p : pieces_.roofs_of(index(column, row)))
       if (!largest || p.area > largest->area) largest = &p;
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const double low = base + top * double(i) / double(sum.size()), high = base + top * double(i + 1) / double(sum.size());
+      const double low = base + top * double(i) / double(sum.size()),
+                   high = base + top * double(i + 1) / double(sum.size());
       ColourMean mean = mean_of(largest ? scene_.houses()[largest->house].wall_colour : kBeyondCity);
       double weight = 0;
       ColourMean colours;
@@ -306,7 +313,8 @@ HitLook look_of(const PaperBlockMap& map, const BlockMap& surface, const PlanRay
   bool is_roof = hit.surface != CastSurface::side || wall == 0;
   if (!is_roof && map.year == PaperYear::y2009) {
     const int* step = kStep[static_cast<int>(hit.side)];
-    const long c = static_cast<long>(column) + step[0], r = static_cast<long>(row) + step[1], n = static_cast<long>(map.side);
+    const long c = static_cast<long>(column) + step[0], r = static_cast<long>(row) + step[1],
+               n = static_cast<long>(map.side);
     const std::uint8_t before = c >= 0 && r >= 0 && c < n && r < n
                                     ? map.cell(static_cast<std::size_t>(c), static_cast<std::size_t>(r))[0]
                                     : std::uint8_t{0};
@@ -320,8 +328,8 @@ HitLook look_of(const PaperBlockMap& map, const BlockMap& surface, const PlanRay
   const std::size_t rows = map.side / map.slices, slice = (map.side - 1 - row) * map.slices / map.side;
   const double top = surface.height[hit.cell] * (surface.step_um * 1e-6);
   const double up = ray.z + hit.t * ray.dz - metres(map.base_mm);
-  const auto v = static_cast<std::size_t>(
-      std::clamp(up / std::max(top, 1e-6) * double(rows - 1), 0.0, double(rows - 2)));
+  const auto v =
+      static_cast<std::size_t>(std::clamp(up / std::max(top, 1e-6) * double(rows - 1), 0.0, double(rows - 2)));
   const std::size_t at = 2 * map.side + wall - 1;
   const std::uint8_t* p = map.texel(at, slice * rows + rows - 2 - v);
   const std::uint8_t* normal = map.texel(at, slice * rows + rows - 1);

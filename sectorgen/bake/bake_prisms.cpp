@@ -45,7 +45,9 @@ Ring simplified(const Ring& ring, double tolerance_mm) {
 
 std::int32_t steps_from(std::int64_t mm, std::int64_t corner_mm, std::int64_t step_mm) {
   // Rounded on a lattice through the plan's origin, not the tile's corner: the corner is on it (sides are 128 m x 2^k).
-  const auto rounded = [&](std::int64_t v) { return static_cast<std::int64_t>(std::floor(double(v) / double(step_mm) + 0.5)); };
+  const auto rounded = [&](std::int64_t v) {
+    return static_cast<std::int64_t>(std::floor(double(v) / double(step_mm) + 0.5));
+  };
   return static_cast<std::int32_t>(rounded(mm) - rounded(corner_mm));
 }
 
@@ -206,8 +208,9 @@ PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t ti
   tile.step_mm = tile.step_mm / 5 * 5;
   while (tile_side_mm % tile.step_mm != 0) ++tile.step_mm;  // the corner stays on the lattice
   tile.up_step_mm = kUpStep_mm;
-  const PlanBox box{corner, {static_cast<std::int32_t>(std::int64_t{corner.x} + tile_side_mm),
-                             static_cast<std::int32_t>(std::int64_t{corner.y} + tile_side_mm)}};
+  const PlanBox box{corner,
+                    {static_cast<std::int32_t>(std::int64_t{corner.x} + tile_side_mm),
+                     static_cast<std::int32_t>(std::int64_t{corner.y} + tile_side_mm)}};
   struct Found {
     std::uint64_t order;
     std::uint32_t index;

@@ -144,8 +144,7 @@ std::function<std::string(const std::string&)> pictures_of(const City& city) {
   };
 }
 
-BakeScene::BakeScene(const City& city, const std::function<std::string(const std::string&)>& picture,
-                     unsigned threads)
+BakeScene::BakeScene(const City& city, const std::function<std::string(const std::string&)>& picture, unsigned threads)
     : terrain_(city.terrain) {
   std::unordered_map<std::string, std::vector<const Facade*>> facades;
   std::set<std::string> ids;

@@ -27,14 +27,14 @@ struct BakeTriangle {
 /// The upright wall over a -> b, house on the left.
 struct BakeWall {
   double ax = 0, ay = 0, bx = 0, by = 0;
-  std::int32_t facade = -1;  ///< of the house; -1: blind
+  std::int32_t facade = -1;     ///< of the house; -1: blind
   double from_m = 0, to_m = 0;  ///< of a and b along the facade, from its left end seen from outside
   double top_m = 0;             ///< where the roof begins, at its highest
 };
 
 /// Where a wall has a picture.
 struct BakeFacade {
-  std::shared_ptr<const FacadeSums> picture;  ///< null: blind
+  std::shared_ptr<const FacadeSums> picture;     ///< null: blind
   double length_m = 1, bottom_m = 0, top_m = 0;  ///< heights above the plan frame's 0
   int repeats = 1;
 };
@@ -98,8 +98,8 @@ class BakeScene {
 /// The PNGs of City::textures.  Needs   the city outlives it.
 std::function<std::string(const std::string&)> pictures_of(const City& city);
 
-/// Mean colour of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0. Above the wall
-/// it is the roof that shows.
+/// Mean colour of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0. Above the
+/// wall it is the roof that shows.
 ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m, double high_m);
 
 /// FNV-1a over whole numbers, for keys.

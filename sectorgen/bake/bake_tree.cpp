@@ -91,8 +91,8 @@ std::optional<std::uint64_t> key_of_bytes(std::string_view bytes, TileKind kind)
 }
 
 std::string tree_json(int levels, const std::vector<TileEntry>& tiles) {
-  std::string out = "{\"levels\":" + std::to_string(levels) +
-                    ",\"leafSide_m\":" + std::to_string(kLeafSide_mm / 1000) + ",\"tiles\":[";
+  std::string out = "{\"levels\":" + std::to_string(levels) + ",\"leafSide_m\":" + std::to_string(kLeafSide_mm / 1000) +
+                    ",\"tiles\":[";
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const TileEntry& t = tiles[i];
     out += (i == 0 ? "\n[" : ",\n[") + std::to_string(t.node.at.z) + "," + std::to_string(t.node.at.x) + "," +

@@ -10,8 +10,8 @@
 namespace vicus {
 
 /// A BlockMap pays where it stands for many houses: 128 x 128 cells take some 40 kB, the prisms of kHousesWorth houses
-/// with small facades as much. Below, polygons are the better tile (paper 000 §4: until "the cost of directly storing and
-/// rendering the original becomes competitive").
+/// with small facades as much. Below, polygons are the better tile (paper 000 §4: until "the cost of directly storing
+/// and rendering the original becomes competitive").
 inline constexpr std::size_t kHousesWorth = 128;
 /// More houses than this are no tile of prisms: their triangles would be too many for one draw.
 inline constexpr std::size_t kMostPrisms = 4096;

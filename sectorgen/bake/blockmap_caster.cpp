@@ -27,8 +27,14 @@ BlockMapCaster::BlockMapCaster(const BlockMap& map)
   for (int i = 0; i < 256; ++i) normals[i] = line_of(static_cast<std::uint8_t>(i), 1);
   tops_.emplace_back();
   for (std::size_t i = 0; i < map.height.size(); ++i) {
-    Cell c{number(map.height[i] * step), number(slope_of(map.slope_east[i]) * cell_m_),
-           number(slope_of(map.slope_north[i]) * cell_m_), number(map.foot[i] * step), 0, 0, 9, 0};
+    Cell c{number(map.height[i] * step),
+           number(slope_of(map.slope_east[i]) * cell_m_),
+           number(slope_of(map.slope_north[i]) * cell_m_),
+           number(map.foot[i] * step),
+           0,
+           0,
+           9,
+           0};
     float top = c.up + (std::abs(c.east) + std::abs(c.north)) / 2;
     if (map.offset[i] != 0) {
       c.line_east = number(normals[map.angle[i]].east);
@@ -59,8 +65,10 @@ bool BlockMapCaster::meet(const LocalRay& ray, float t0, float t1, std::uint32_t
   const Cell& c = cells_[index];
   const float ox = ray.x - static_cast<float>(column) - 0.5f, oy = ray.y - static_cast<float>(row) - 0.5f;
   // Height above the plane, beside the line, as a + b t.
-  const float plane_a = ray.z - c.up - c.east * ox - c.north * oy, plane_b = ray.dz - c.east * ray.dx - c.north * ray.dy;
-  const float line_a = c.line_east * ox + c.line_north * oy - c.at, line_b = c.line_east * ray.dx + c.line_north * ray.dy;
+  const float plane_a = ray.z - c.up - c.east * ox - c.north * oy,
+              plane_b = ray.dz - c.east * ray.dx - c.north * ray.dy;
+  const float line_a = c.line_east * ox + c.line_north * oy - c.at,
+              line_b = c.line_east * ray.dx + c.line_north * ray.dy;
   const float line0 = line_a + line_b * t0, line1 = line_a + line_b * t1;
   const bool crosses = (line0 <= 0) != (line1 <= 0);
   const float tc = crosses ? std::clamp(-line_a / line_b, t0, t1) : t1;
@@ -95,8 +103,7 @@ CastHit BlockMapCaster::cast(const PlanRay& ray, double before) const {
   const double per_cell = 1 / cell_m_;
   double x = (ray.x - west_) * per_cell, y = (ray.y - south_) * per_cell;
   double z = ray.z - base_ - base_east_ * (ray.x - west_) - base_north_ * (ray.y - south_);
-  const double dx = ray.dx * per_cell, dy = ray.dy * per_cell,
-               dz = ray.dz - base_east_ * ray.dx - base_north_ * ray.dy;
+  const double dx = ray.dx * per_cell, dy = ray.dy * per_cell, dz = ray.dz - base_east_ * ray.dx - base_north_ * ray.dy;
   double enter = 0, leave = before;
   CellSide side = CellSide::none;
   const auto slab = [&](double at, double step, double size, CellSide low, CellSide high) {
@@ -123,8 +130,14 @@ CastHit BlockMapCaster::cast(const PlanRay& ray, double before) const {
   z += dz * enter;
   const auto number = [](double v) { return static_cast<float>(v); };
   const float big = 1e30f;
-  const LocalRay local{number(x),  number(y),  number(z),  number(dx),
-                       number(dy), number(dz), dx != 0 ? number(1 / dx) : big, dy != 0 ? number(1 / dy) : big};
+  const LocalRay local{number(x),
+                       number(y),
+                       number(z),
+                       number(dx),
+                       number(dy),
+                       number(dz),
+                       dx != 0 ? number(1 / dx) : big,
+                       dy != 0 ? number(1 / dy) : big};
   const float end = number(std::min(leave - enter, 1e30));
   int column = std::clamp(static_cast<int>(x), 0, side_ - 1), row = std::clamp(static_cast<int>(y), 0, side_ - 1);
   int level = levels_ - 1;
@@ -137,8 +150,8 @@ CastHit BlockMapCaster::cast(const PlanRay& ray, double before) const {
     const float out = std::max(t, std::min({tx, ty, end}));
     const float least = local.z + local.dz * (local.dz < 0 ? out : t);
     const int across = side_ >> level;
-    if (least <= tops_[static_cast<std::size_t>(level)][static_cast<std::size_t>((row >> level) * across +
-                                                                                  (column >> level))]) {
+    if (least <=
+        tops_[static_cast<std::size_t>(level)][static_cast<std::size_t>((row >> level) * across + (column >> level))]) {
       if (level > 0) {
         --level;
         // Which of the four: where the ray is now, kept within this square.

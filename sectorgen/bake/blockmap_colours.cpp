@@ -55,8 +55,9 @@ Colour BlockMapColours::foot(std::size_t cell) const {
     if (c < 0 || r < 0 || c >= static_cast<long>(n) || r >= static_cast<long>(n)) break;
     const std::size_t other = static_cast<std::size_t>(r) * n + static_cast<std::size_t>(c);
     // The other's plane, carried on to this cell's middle.
-    const double rise = (slope_of(map_->slope_east[other]) * double(east) +
-                         slope_of(map_->slope_north[other]) * double(north)) * metres(map_->tile_side_mm) / double(n);
+    const double rise =
+        (slope_of(map_->slope_east[other]) * double(east) + slope_of(map_->slope_north[other]) * double(north)) *
+        metres(map_->tile_side_mm) / double(n);
     const double up = map_->height[other] * (map_->step_um * 1e-6) - rise;
     if (std::abs(up - map_->foot[cell] * (map_->step_um * 1e-6)) <= map_->wall_step_um * 1e-6)
       return roof_.at(static_cast<std::size_t>(c), n - 1 - static_cast<std::size_t>(r));
@@ -85,7 +86,8 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
     const long last = static_cast<long>(n) - 1;
     const long c = std::clamp(static_cast<long>(at % n) + std::lround(2 * a), 0L, last),
                r = std::clamp(static_cast<long>(at / n) + std::lround(2 * b), 0L, last);
-    const double low = ambient_.at(static_cast<std::size_t>(c / 2), n / 2 - 1 - static_cast<std::size_t>(r / 2)).r / 255.0;
+    const double low =
+        ambient_.at(static_cast<std::size_t>(c / 2), n / 2 - 1 - static_cast<std::size_t>(r / 2)).r / 255.0;
     const WallSpan span = wall_span(*map_, at, static_cast<WallBit>(bit));
     look.ambient = low + (1 - low) * std::clamp((up - span.low_m) / (span.high_m - span.low_m), 0.0, 1.0);
   };

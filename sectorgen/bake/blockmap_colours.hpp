@@ -18,9 +18,11 @@ struct HitLook {
 ///
 /// plane   the roof picture. foot: the roof picture one or two cells on, in the direction of the line's normal, of the
 ///         first whose plane, carried on, lies within wall_step of the foot; else the ground picture.
-/// side    not more than wall_step below the plane: the plane's. Else the column of that side; else the cell's line; else
+/// side    not more than wall_step below the plane: the plane's. Else the column of that side; else the cell's line;
+/// else
 ///         the line of the cell that the ray came from; else the plane's.
-/// light   of planes and feet: the ambient picture. Of walls: that of two cells before them at the foot, all at the top.
+/// light   of planes and feet: the ambient picture. Of walls: that of two cells before them at the foot, all at the
+/// top.
 class BlockMapColours {
  public:
   /// nullopt: a picture is damaged or of another size.   Needs   `map` outlives it.

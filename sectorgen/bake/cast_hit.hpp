@@ -10,8 +10,8 @@ struct PlanRay {
   double x = 0, y = 0, z = 0, dx = 0, dy = 0, dz = 0;
 };
 
-/// plane: the cell's plane. foot: the level surface beyond its line. line: the wall over the line. side: the cell's side
-/// where the ray came in.
+/// plane: the cell's plane. foot: the level surface beyond its line. line: the wall over the line. side: the cell's
+/// side where the ray came in.
 enum class CastSurface : std::uint8_t { none, plane, foot, line, side };
 enum class CellSide : std::uint8_t { east, north, west, south, none };
 

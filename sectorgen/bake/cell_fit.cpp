@@ -12,10 +12,10 @@
 namespace vicus {
 namespace {
 
-constexpr double kFlat = 0.35;         // cells: a step or ridge lower than this needs no line
-constexpr double kGood = 1.2;          // cells: a line that is farther off has all splits tried
+constexpr double kFlat = 0.35;  // cells: a step or ridge lower than this needs no line
+constexpr double kGood = 1.2;   // cells: a line that is farther off has all splits tried
 constexpr std::size_t kMostSplits = 16;
-constexpr double kOnSide = 1e-12;      // cells: cut pieces lie exactly on the sides of their cell
+constexpr double kOnSide = 1e-12;  // cells: cut pieces lie exactly on the sides of their cell
 constexpr double kQuantum = std::numbers::sqrt2 / 2 / BLOCKMAP_OFFSET_STEPS;
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }  // no overflow here: hypot's care is slow
@@ -290,8 +290,8 @@ void CellFitter::add_line(CellFit& f) const {
   const double offset = offset_of_area(std::clamp(area, 0.0, 1.0), std::abs(line.east), std::abs(line.north));
   const double most = (std::abs(line.east) + std::abs(line.north)) / 2 - 1.5 * kQuantum;  // stays in the cell
   const double kept = std::clamp(offset, -most, most);
-  f.offset = static_cast<std::uint8_t>(
-      std::clamp(std::floor(kept / kQuantum + BLOCKMAP_OFFSET_ZERO + 0.5), 1.0, 255.0));
+  f.offset =
+      static_cast<std::uint8_t>(std::clamp(std::floor(kept / kQuantum + BLOCKMAP_OFFSET_ZERO + 0.5), 1.0, 255.0));
 }
 
 /// The part of the line inside the cell.

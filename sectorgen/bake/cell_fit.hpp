@@ -22,9 +22,9 @@ struct CellGround {
 struct CellFit {
   std::uint16_t height = 0, foot = 0;
   std::uint8_t slope_east = 0, slope_north = 0, angle = 0, offset = 0;
-  double top_m = 0;    ///< no surface of the cell is higher above the base plane
-  double error_m = 0;  ///< bound of the distance of true points of the cell from its surface, and back
-  double back_m = 0;   ///< the part of it that is the way back: from the line to the true walls
+  double top_m = 0;           ///< no surface of the cell is higher above the base plane
+  double error_m = 0;         ///< bound of the distance of true points of the cell from its surface, and back
+  double back_m = 0;          ///< the part of it that is the way back: from the line to the true walls
   bool ground_above = false;  ///< ground is among what the plane stands for
   std::uint32_t above = 0;    ///< bit i: roof piece i belongs to the plane (of the first 31; of the others bit 31)
 };
@@ -32,8 +32,9 @@ struct CellFit {
 /// Fits one cell after the other of a tile.
 ///
 /// Error   error_m is measured at every corner of every piece after rounding to stored numbers. Of a piece on its own
-///         side of the line it is how far the plane passes from it; else the distance to the wall over the line, if that
-///         is less. Gaps between roofs of kRounding_m and less are rounding of their corners to 1 mm, and no ground.
+///         side of the line it is how far the plane passes from it; else the distance to the wall over the line, if
+///         that is less. Gaps between roofs of kRounding_m and less are rounding of their corners to 1 mm, and no
+///         ground.
 /// Source  line: Laine & Karras, "Efficient sparse voxel octrees", I3D 2010 (contours); its normal by the divergence
 ///         theorem from how much of each side of the cell is covered, its offset from the covered area.
 class CellFitter {

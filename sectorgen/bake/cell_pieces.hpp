@@ -51,7 +51,7 @@ struct WallPiece {
 struct CellPieces {
   std::vector<RoofPiece> roofs;  ///< by cell
   std::vector<CellPoint> points;
-  std::vector<WallPiece> walls;  ///< by cell
+  std::vector<WallPiece> walls;                       ///< by cell
   std::vector<std::uint32_t> first_roof, first_wall;  ///< of each cell, and one more
   std::span<const RoofPiece> roofs_of(std::size_t cell) const {
     return std::span(roofs).subspan(first_roof[cell], first_roof[cell + 1] - first_roof[cell]);

@@ -64,8 +64,7 @@ ColourMean FacadeSums::integral(double u, double v) const {
 }
 
 ColourMean FacadeSums::mean(double u0, double u1, double v0, double v1) const {
-  const ColourMean total =
-      integral(u1, v1) + integral(u0, v1) * -1 + integral(u1, v0) * -1 + integral(u0, v0);
+  const ColourMean total = integral(u1, v1) + integral(u0, v1) * -1 + integral(u1, v0) * -1 + integral(u0, v0);
   return total * (1 / ((u1 - u0) * (v1 - v0) * double(width_) * double(height_)));
 }
 

@@ -10,10 +10,10 @@
 namespace vicus {
 namespace {
 
-constexpr int kSamples = 2;           // a cell and direction
-constexpr double kReach_m = 32;       // of ambient light
-constexpr float kReflects = 0.5f;     // of the light that falls on walls: yards are not black
-constexpr int kMostReach = 16;        // samples
+constexpr int kSamples = 2;        // a cell and direction
+constexpr double kReach_m = 32;    // of ambient light
+constexpr float kReflects = 0.5f;  // of the light that falls on walls: yards are not black
+constexpr int kMostReach = 16;     // samples
 constexpr int kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
 struct Sum {

@@ -13,8 +13,8 @@ class GroundColours {
   /// Four samples a cell.
   GroundColours(const BakeScene& scene, const TileFrame& frame);
   ColourMean of_cell(std::size_t column, std::size_t row) const;  ///< kBeyondCity where no sample is ground
-  /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and the
-  /// foot of a wall is never roof-coloured.
+  /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and
+  /// the foot of a wall is never roof-coloured.
   RgbImage filled() const;
 
  private:

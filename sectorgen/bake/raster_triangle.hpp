@@ -5,8 +5,9 @@
 /// Which points of a grid lie in a triangle.
 namespace vicus {
 
-/// Calls take(column, row) for every grid point (column + 0.5, row + 0.5) with 0 <= column < width, 0 <= row < height in
-/// the triangle. Points on an edge that two triangles share belong to exactly one of them, up to rounding of the edge.
+/// Calls take(column, row) for every grid point (column + 0.5, row + 0.5) with 0 <= column < width, 0 <= row < height
+/// in the triangle. Points on an edge that two triangles share belong to exactly one of them, up to rounding of the
+/// edge.
 template <class Take>
 void raster_triangle(const double (&x)[3], const double (&y)[3], int width, int height, Take take) {
   const double low = std::min({y[0], y[1], y[2]}), high = std::max({y[0], y[1], y[2]});

@@ -26,8 +26,7 @@ class CellSurface {
     return line.east * (x - middle_x_) + line.north * (y - middle_y_) - line.distance * size_;
   }
   double up(double x, double y, bool on_plane) const {
-    const double base = metres(map_.base_mm) +
-                        (x - metres(map_.corner.x)) * map_.base_east / BLOCKMAP_BASE_ONE +
+    const double base = metres(map_.base_mm) + (x - metres(map_.corner.x)) * map_.base_east / BLOCKMAP_BASE_ONE +
                         (y - metres(map_.corner.y)) * map_.base_north / BLOCKMAP_BASE_ONE;
     const double step = map_.step_um * 1e-6;
     if (!on_plane) return base + map_.foot[cell_] * step;

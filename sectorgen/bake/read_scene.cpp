@@ -8,7 +8,7 @@
 namespace vicus {
 namespace {
 
-constexpr std::int32_t kAround_mm = 64'000;      // houses that darken the tile's ground
+constexpr std::int32_t kAround_mm = 64'000;          // houses that darken the tile's ground
 constexpr std::int32_t kSectorsAround_mm = 600'000;  // whose borders and surfaces may reach the tile
 
 }  // namespace

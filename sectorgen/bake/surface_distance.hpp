@@ -4,8 +4,8 @@
 
 namespace vicus {
 
-/// How far a point lies from the surface of a tile, at most: the nearest of some points of the surface in the 5 x 5 cells
-/// around, on planes, feet, lines and sides.
+/// How far a point lies from the surface of a tile, at most: the nearest of some points of the surface in the 5 x 5
+/// cells around, on planes, feet, lines and sides.
 class SurfaceDistance {
  public:
   explicit SurfaceDistance(const BlockMap& map);  ///< needs the planes; keeps a reference

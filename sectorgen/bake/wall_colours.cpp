@@ -156,10 +156,9 @@ WallSpan wall_span(const BlockMap& map, std::size_t cell, WallBit wall) {
       const bool at_rim = (s.east > 0 && column + 1 == n) || (s.east < 0 && column == 0) ||
                           (s.north > 0 && row + 1 == n) || (s.north < 0 && row == 0);
       if (!at_rim)
-        span.low_m = up_at_side(map,
-                                (row + static_cast<std::size_t>(s.north)) * n + column +
-                                    static_cast<std::size_t>(s.east),
-                                -s.east, -s.north);
+        span.low_m =
+            up_at_side(map, (row + static_cast<std::size_t>(s.north)) * n + column + static_cast<std::size_t>(s.east),
+                       -s.east, -s.north);
     }
   }
   if (span.high_m < span.low_m + step) span.high_m = span.low_m + step;

@@ -24,8 +24,8 @@
 ///   blockmap_bench CITY.gpkg prisms                       bytes a house, level by level
 ///   blockmap_bench CITY.gpkg compare                      error at equal bytes: 2007, 2009, ours
 ///   blockmap_bench CITY.gpkg error                        measured against stored error
-///   blockmap_bench CITY.gpkg rebake                       one house changes: what is baked again, and how long it takes
-///   blockmap_bench CITY.gpkg picture OUT E,N,UP DIST EL AZ SIDE CELLS   truth and BlockMap+ side by side
+///   blockmap_bench CITY.gpkg rebake                       one house changes: what is baked again, and how long it
+///   takes blockmap_bench CITY.gpkg picture OUT E,N,UP DIST EL AZ SIDE CELLS   truth and BlockMap+ side by side
 namespace {
 
 using namespace vicus;
@@ -358,8 +358,8 @@ void error(const Loaded& city) {
   for (const std::uint32_t tile_mm : {128'000u, 512'000u})
     for (const PlanPoint corner : full_tiles(scene, tile_mm, 4)) {
       const auto side = static_cast<std::int32_t>(tile_mm);
-      const TrueCity truth(scene, {{corner.x - 30'000, corner.y - 30'000},
-                                   {corner.x + side + 30'000, corner.y + side + 30'000}});
+      const TrueCity truth(
+          scene, {{corner.x - 30'000, corner.y - 30'000}, {corner.x + side + 30'000, corner.y + side + 30'000}});
       for (const std::uint32_t cells : {32u, 64u, 128u}) {
         BlockMapOptions options;
         options.side = cells;
@@ -381,8 +381,8 @@ void error(const Loaded& city) {
           const CastHit hit = caster.cast(ray);
           if (!hit || hit.t < 1e-3) continue;  // begins in a house
           const double x = ray.x + hit.t * ray.dx, y = ray.y + hit.t * ray.dy;
-          const double rim = std::min({x - metres(corner.x), metres(corner.x) + size - x, y - metres(corner.y),
-                                       metres(corner.y) + size - y});
+          const double rim = std::min(
+              {x - metres(corner.x), metres(corner.x) + size - x, y - metres(corner.y), metres(corner.y) + size - y});
           if (rim < 0.02) continue;  // the rim is closed, whatever stands beyond it
           const double d = truth.distance(x, y, ray.z + hit.t * ray.dz, stored * 2 + 5);
           worst = std::max(worst, d);
@@ -400,7 +400,8 @@ void rebake(Loaded& city) {
   const auto before = plan_tiles(*city.scene, levels, 1);
   const auto houses = city.scene->houses_in(tile_box(levels, before.back().at));
   city.city.buildings.at(houses.at(0)).roof_colour.r ^= 0x40;
-  const BakeScene scene(city.city, [](const std::string&) { return std::string(); }, 1);
+  const BakeScene scene(
+      city.city, [](const std::string&) { return std::string(); }, 1);
   const double start = cpu_now();
   const auto after = plan_tiles(scene, levels, 1);
   const double planned = cpu_now();
@@ -428,6 +429,8 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[2], "rebake") == 0) return rebake(city), 0;
     if (std::strcmp(argv[2], "picture") == 0 && argc == 10) return picture(city, argv + 3), 0;
   }
-  std::fprintf(stderr, "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | rebake | picture OUT E,N,UP DIST EL AZ SIDE CELLS\n");
+  std::fprintf(stderr,
+               "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | rebake | picture OUT E,N,UP DIST EL "
+               "AZ SIDE CELLS\n");
   return 2;
 }

@@ -172,8 +172,10 @@ void TrueCity::add_house(std::uint32_t index) {
     const auto face = static_cast<std::uint32_t>(faces_.size());
     faces_.push_back({static_cast<std::int32_t>(index), static_cast<std::int32_t>(w), -1, {}});
     const double low = std::min(height_m(scene_.terrain(), {lattice_mm(wall.ax), lattice_mm(wall.ay)}),
-                                height_m(scene_.terrain(), {lattice_mm(wall.bx), lattice_mm(wall.by)})) - 0.05;
-    const double ha = top[2 * w] > -1e8 ? top[2 * w] : house.top_m, hb = top[2 * w + 1] > -1e8 ? top[2 * w + 1] : house.top_m;
+                                height_m(scene_.terrain(), {lattice_mm(wall.bx), lattice_mm(wall.by)})) -
+                       0.05;
+    const double ha = top[2 * w] > -1e8 ? top[2 * w] : house.top_m,
+                 hb = top[2 * w + 1] > -1e8 ? top[2 * w + 1] : house.top_m;
     const auto p = add_point(wall.ax, wall.ay, low), q = add_point(wall.bx, wall.by, low),
                r = add_point(wall.bx, wall.by, hb), s = add_point(wall.ax, wall.ay, ha);
     add_triangle(p, q, r, face);
@@ -285,7 +287,8 @@ Seen TrueCity::see(const PlanRay& ray) const {
 View TrueCity::view(const Camera& camera) const {
   View out{camera.width, camera.height, {}};
   for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) out.pixels.push_back(see(camera.ray(column + 0.5, row + 0.5)));
+    for (int column = 0; column < camera.width; ++column)
+      out.pixels.push_back(see(camera.ray(column + 0.5, row + 0.5)));
   return out;
 }
 

@@ -15,7 +15,7 @@ namespace vicus::test {
 
 /// A pinhole camera: `width` x `height` pixels, vertical angle of view 45 degrees.
 struct Camera {
-  double x = 0, y = 0, z = 0;           ///< metres in the plan frame
+  double x = 0, y = 0, z = 0;  ///< metres in the plan frame
   double forward[3], right[3], up[3];
   int width = 640, height = 480;
   PlanRay ray(double column, double row) const;

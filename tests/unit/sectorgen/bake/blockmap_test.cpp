@@ -52,8 +52,12 @@ PlanRay random_ray(std::mt19937_64& random, PlanPoint corner) {
   const double x = metres(corner.x) + 128 * unit(random), y = metres(corner.y) + 128 * unit(random);
   const double turn = 6.283185307179586 * unit(random), steep = 0.02 + 1.5 * unit(random);
   const double back = 40 + 200 * unit(random);
-  return {x - std::cos(turn) * back, y - std::sin(turn) * back, 3 + 10 * unit(random) + back * steep,
-          std::cos(turn),           std::sin(turn),            -steep};
+  return {x - std::cos(turn) * back,
+          y - std::sin(turn) * back,
+          3 + 10 * unit(random) + back * steep,
+          std::cos(turn),
+          std::sin(turn),
+          -steep};
 }
 
 TEST(BlockMap, BothCastersSeeTheSame) {
@@ -87,8 +91,7 @@ TEST(BlockMap, PicturesOfBothCastersAgreeWithinAPixel) {
   const BlockMapCaster caster(map);
   for (const double elevation : {5.0, 30.0, 70.0}) {
     SCOPED_TRACE(elevation);
-    const Camera camera =
-        camera_around(metres(corner.x) + 64, metres(corner.y) + 64, 5, 150, elevation, 40, 96, 72);
+    const Camera camera = camera_around(metres(corner.x) + 64, metres(corner.y) + 64, 5, 150, elevation, 40, 96, 72);
     std::vector<double> slow;
     for (int row = 0; row < camera.height; ++row)
       for (int column = 0; column < camera.width; ++column)
@@ -222,7 +225,8 @@ TEST(BlockMap, IsTheSameBytesOnEveryRun) {
 TEST(BlockMap, HasNoHolesAtSeams) {
   const auto corners = town_tiles();
   const PlanPoint left = corners.front(), right{left.x + static_cast<std::int32_t>(kTile_mm), left.y};
-  const BlockMap a = bake_unpacked(town_scene(), left, kTile_mm).map, b = bake_unpacked(town_scene(), right, kTile_mm).map;
+  const BlockMap a = bake_unpacked(town_scene(), left, kTile_mm).map,
+                 b = bake_unpacked(town_scene(), right, kTile_mm).map;
   const BlockMapCaster caster_a(a), caster_b(b);
   const double seam = metres(right.x);
   int looks = 0;
