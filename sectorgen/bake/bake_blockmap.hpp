@@ -27,7 +27,7 @@ struct BakedBlockMap {
 /// Source  paper 000 §3.3; paper 001 §5 for slopes and ambient light; research/IMAGE_BASED.md §A1.
 /// Differs no views of the geometry: facades are means of their pictures over exactly the stretch and height a texel
 ///         stands for.
-/// Cost    5 ms for 128 x 128 cells of Paris, one core.
+/// Cost    docs/blockmaps.md, "Speed".
 BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm,
                             const BlockMapOptions& options = {});
 

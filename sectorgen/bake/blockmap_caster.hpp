@@ -13,7 +13,7 @@ namespace vicus {
 /// Source  Tevs, Ihrke & Seidel, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering",
 ///         I3D 2008; research/IMAGE_BASED.md §A1.4.
 /// Differs from paper 000 §3.2: no distance map and no samples along the ray, which miss corners.
-/// Cost    14 million rays a second and core for 128 x 128 cells of a dense city (docs/blockmaps.md).
+/// Cost    docs/blockmaps.md, "Speed".
 class BlockMapCaster {
  public:
   explicit BlockMapCaster(const BlockMap& map);
