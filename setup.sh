@@ -15,13 +15,15 @@ build_packages=(
   libsqlite3-dev                                    # the city file
   libboost-dev                                      # HTTP (Beast, Asio: headers only)
   libbrotli-dev libdeflate-dev libssl-dev           # codings and hashes of what is sent
-  libimagequant-dev libopenimageio-dev              # palettes of textures; photos of facades
+  libimagequant-dev libpng-dev                      # palettes of textures, reading them again
+  libopenimageio-dev                                # photos of facades
+  libwebp-dev                                       # pictures of BlockMaps
   libdraco-dev libtinygltf-dev libstb-dev           # glTF
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )
 test_packages=(
-  libgtest-dev libembree-dev libpng-dev
+  libgtest-dev libembree-dev
   clang-format
   libxml2-utils gdal-bin sqlite3 view3dscene        # other people's readers of our files
   chromium fonts-dejavu-core                        # the browser of tests/browser

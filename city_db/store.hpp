@@ -52,6 +52,7 @@ class CityReader {
   std::vector<StandaloneObject> objects_of(const std::string& sector_id) const;
   std::vector<Surface> surfaces_of(const std::string& sector_id) const;
   std::vector<Ride> rides_of(const std::string& sector_id) const;
+  Terrain terrain() const;                    ///< no nodes where the ground is flat
   std::vector<Prototype> prototypes() const;  ///< of the whole city
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;

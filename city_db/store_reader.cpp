@@ -160,6 +160,12 @@ std::vector<Surface> CityReader::surfaces_of(const std::string& sector_id) const
 std::vector<Ride> CityReader::rides_of(const std::string& sector_id) const {
   return impl_->rows_of<Ride>("ride", sector_id);
 }
+Terrain CityReader::terrain() const {
+  auto row = impl_->select("terrain", "ORDER BY t.fid");
+  Terrain terrain;
+  if (row->step()) read_record(*row, terrain);
+  return terrain;
+}
 std::vector<Prototype> CityReader::prototypes() const {
   auto row = impl_->select("prototype", "ORDER BY t.fid");
   std::vector<Prototype> rows;

@@ -12,6 +12,8 @@
 
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
+#include "cli/tiles.hpp"
+#include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/models/author_models.hpp"
 #include "x3d_export/package.hpp"
@@ -26,6 +28,7 @@ struct Arguments {
   unsigned budget_kb = 200;
   bool strict = false;
   bool fresh_ids = false;
+  bool no_tiles = false;
   std::string over_roofs = "auto";
 };
 
@@ -37,7 +40,7 @@ struct Progress {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
     static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1}, {"sectors", 0.2},
                                                         {"records", 0.25}, {"models", 0.27},   {"visibility", 0.3},
-                                                        {"export", 0.8}};
+                                                        {"tiles", 0.8},    {"export", 0.85}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)
@@ -190,10 +193,16 @@ void run(const Arguments& arguments, Context& context) {
   City city = build_city(map, options, std::move(issues), report);
   fill_meta(arguments, map, city);
 
+  std::vector<Artefact> tiles;
+  city.meta["tile_levels"] = std::to_string(levels_of(city));
+  if (!arguments.no_tiles) {
+    clock.begin("tiles");
+    tiles = bake_tiles(city, arguments.output, arguments.threads);
+  }
   clock.begin("export");
   PackageOptions package;
   package.threads = arguments.threads;
-  const auto artefacts = export_artefacts(city, package);
+  const auto artefacts = followed_by(export_artefacts(city, package), std::move(tiles));
   for (const auto& s : city.sectors)
     if (s.bytes > options.budget_bytes)
       city.issues.push_back(
@@ -246,6 +255,8 @@ void add_build(CLI::App& app, Context& context) {
                        std::to_string(kSectorsOverRoofs) + " sectors: it takes about 0.05 to 0.5 CPU s a sector)")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
+  command->add_flag("--no-tiles", arguments->no_tiles,
+                    "bake no BlockMaps and prisms for flying over; the server then makes each when first asked for");
   command->add_flag("--fresh-ids", arguments->fresh_ids, "do not keep the sector ids of the city that is replaced");
   command->callback([arguments, &context] { run(*arguments, context); });
 }

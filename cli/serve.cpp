@@ -10,6 +10,7 @@
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
+#include "cli/tiles.hpp"
 #include "httpd/routes.hpp"
 #include "httpd/serve.hpp"
 #include "httpd/static_files.hpp"
@@ -81,9 +82,11 @@ void serve(const Arguments& arguments, Context& context) {
         "--x_ite node_modules/x_ite");
   const auto files = std::make_shared<const StaticFiles>(x_ite);
   const auto metrics = std::make_shared<Metrics>();
+  const auto tiles =
+      std::make_shared<MadeTiles>([path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
   raise_descriptor_limit(arguments.options);
   const auto new_responder = [&]() -> Responder {
-    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics);
+    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles);
     return [routes](const HttpRequest& request) { return routes->respond(request); };
   };
   HttpServer server(arguments.options, new_responder, metrics,

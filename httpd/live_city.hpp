@@ -23,6 +23,12 @@ class LiveCity {
   /// Changes with every newly opened city: a key for what is derived from it and kept.
   std::uint64_t generation() const { return generation_; }
 
+  /// Of the file, the same in every thread that has it open.
+  std::uint64_t version() const {
+    return (stamp_.inode * 31 + stamp_.size) * 31 +
+           static_cast<std::uint64_t>(stamp_.seconds * 1'000'000'007 + stamp_.nanoseconds);
+  }
+
   static constexpr std::chrono::milliseconds kLookInterval{1000};
 
  private:

@@ -85,8 +85,11 @@ HttpResponse answer_x_ite(const HttpRequest& request, const StaticFiles& files, 
 }  // namespace
 
 Routes::Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files,
-               std::shared_ptr<Metrics> metrics)
-    : files_(std::move(files)), metrics_(std::move(metrics)), city_(city, [this] { metrics_->city_reopened(); }) {}
+               std::shared_ptr<Metrics> metrics, std::shared_ptr<MadeTiles> tiles)
+    : files_(std::move(files)),
+      metrics_(std::move(metrics)),
+      tiles_(std::move(tiles)),
+      city_(city, [this] { metrics_->city_reopened(); }) {}
 
 HttpResponse Routes::respond(const HttpRequest& request) {
   HttpResponse response;
@@ -98,6 +101,16 @@ HttpResponse Routes::respond(const HttpRequest& request) {
   }
   add_common_fields(response);
   return response;
+}
+
+/// As stored; else as made now.
+HttpResponse Routes::answer_tile(const HttpRequest& request, const std::string& path) {
+  if (auto artefact = answer_artefact(request, city_.reader(), path)) return *std::move(artefact);
+  const auto tile = tiles_ ? tiles_->get(path, city_.version()) : nullptr;
+  if (!tile)
+    return problem(404, "There is no tile /" + path +
+                            ". /blockmaps/tree.json lists those there are, where the city was built with them.");
+  return answer_made(request, tile->media_type, tile->bytes);
 }
 
 HttpResponse Routes::route(const HttpRequest& request) {
@@ -121,6 +134,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   const auto& city = city_.reader();
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));
   if (path.starts_with("/sectors/")) return with_route("sector", answer_sector(request, city, path.substr(9)));
+  if (path.starts_with("/blockmaps/")) return with_route("blockmap", answer_tile(request, path.substr(1)));
   if (path == "/conformance" || path == "/collections" || path.starts_with("/collections/"))
     return with_route("collections", answer_collections(request, *url, city));
   if (auto artefact = answer_artefact(request, city, path.substr(1)))

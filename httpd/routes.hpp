@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "httpd/live_city.hpp"
+#include "httpd/made_tiles.hpp"
 #include "httpd/message.hpp"
 #include "httpd/metrics.hpp"
 #include "httpd/static_files.hpp"
@@ -12,17 +13,21 @@ namespace vicus {
 
 class Routes {
  public:
+  /// `tiles` makes those of /blockmaps/ that the city's file does not have; null: there are no others.
   /// Fails   CityError: the city cannot be opened.
-  Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files, std::shared_ptr<Metrics> metrics);
+  Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files, std::shared_ptr<Metrics> metrics,
+         std::shared_ptr<MadeTiles> tiles = nullptr);
 
   /// Fails   never: whatever goes wrong becomes a problem (500, with `fault` for the log).
   HttpResponse respond(const HttpRequest& request);
 
  private:
   HttpResponse route(const HttpRequest& request);
+  HttpResponse answer_tile(const HttpRequest& request, const std::string& path);
 
   std::shared_ptr<const StaticFiles> files_;
   std::shared_ptr<Metrics> metrics_;
+  std::shared_ptr<MadeTiles> tiles_;
   LiveCity city_;
 };
 

@@ -1,12 +1,12 @@
 #pragma once
 #include "city_db/city.hpp"
 #include "city_db/colour.hpp"
+#include "city_db/surface_colour.hpp"
 
 /// Colours of what is no house: houses have theirs in the city file.
 namespace vicus {
 
 Colour ground_colour(SectorKind kind);
-Colour surface_colour(SurfaceKind kind);
 /// Each channel times k >= 0, at most 255.
 Colour shaded(Colour c, double k);
 

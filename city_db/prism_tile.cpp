@@ -1,0 +1,182 @@
+#include "city_db/prism_tile.hpp"
+
+#include <cassert>
+#include <cstdlib>
+
+#include "city_db/byte_fields.hpp"
+#include "city_db/prism_tile_layout.h"
+
+namespace vicus {
+namespace {
+
+constexpr std::int64_t kMostCoordinate = 1 << 28;
+constexpr std::uint64_t kMostHeight = 1 << 24;
+constexpr std::size_t kMostColours = 4096;
+
+void append_varint(std::string& out, std::uint64_t value) {
+  for (; value >= 0x80; value >>= 7) out.push_back(static_cast<char>(value | 0x80));
+  out.push_back(static_cast<char>(value));
+}
+void append_signed(std::string& out, std::int64_t value) {
+  append_varint(out, (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+}
+
+/// Varints from the front; after the first that is not there `is_good` is false and all others are 0.
+class VarintSource {
+ public:
+  explicit VarintSource(std::string_view bytes) : bytes_(bytes) {}
+  std::uint64_t next() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 35; shift += 7) {
+      if (at_ == bytes_.size()) break;
+      const auto byte = static_cast<std::uint8_t>(bytes_[at_++]);
+      value |= std::uint64_t{byte & 0x7fu} << shift;
+      if (byte < 0x80) {
+        if (byte == 0 && shift > 0) break;  // a longer spelling of the same number
+        return value;
+      }
+    }
+    is_good = false;
+    return 0;
+  }
+  std::int64_t next_signed() {
+    const std::uint64_t v = next();
+    return static_cast<std::int64_t>(v >> 1) ^ -static_cast<std::int64_t>(v & 1);
+  }
+  bool is_done() const { return is_good && at_ == bytes_.size(); }
+  bool is_good = true;
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Kinds with a ridge have four points; the tent and the flat roof any.
+bool has_right_points(const PrismHouse& house) {
+  if (house.kind == PrismKind::flat) return true;
+  if (house.rings.size() != 1) return false;
+  return house.kind == PrismKind::tent || house.rings[0].size() == 4;
+}
+
+bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& ground, std::size_t colours,
+                PrismHouse& house) {
+  const std::uint64_t shape = in[PRISM_STREAM_SHAPE].next();
+  if (shape % 8 >= PRISM_KINDS) return false;
+  house.kind = static_cast<PrismKind>(shape % 8);
+  house.is_owned = (shape & PRISM_OWNED) != 0;
+  const std::uint64_t rings = shape / PRISM_RINGS + 1;
+  PlanPoint p = at;
+  for (std::uint64_t r = 0; r < rings; ++r) {
+    const std::uint64_t points = in[PRISM_STREAM_SHAPE].next() + 3;
+    auto& ring = house.rings.emplace_back();
+    for (std::uint64_t i = 0; i < points; ++i) {
+      const std::int64_t x = p.x + in[PRISM_STREAM_EAST].next_signed(), y = p.y + in[PRISM_STREAM_NORTH].next_signed();
+      if (!in[PRISM_STREAM_EAST].is_good || std::abs(x) > kMostCoordinate || std::abs(y) > kMostCoordinate)
+        return false;
+      p = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+      ring.push_back(p);
+      if (r == 0 && i == 0) at = p;
+    }
+  }
+  ground += in[PRISM_STREAM_GROUND].next_signed();
+  const std::uint64_t eave = in[PRISM_STREAM_EAVE].next(), rise = in[PRISM_STREAM_RISE].next();
+  const std::uint64_t wall = in[PRISM_STREAM_COLOUR].next(), roof = in[PRISM_STREAM_COLOUR].next();
+  if (std::abs(ground) > static_cast<std::int64_t>(kMostHeight) || eave > kMostHeight || rise > kMostHeight ||
+      wall >= colours || roof >= colours)
+    return false;
+  house.ground = static_cast<std::int32_t>(ground);
+  house.eave = static_cast<std::uint32_t>(eave);
+  house.rise = static_cast<std::uint32_t>(rise);
+  house.wall = static_cast<std::uint16_t>(wall);
+  house.roof = static_cast<std::uint16_t>(roof);
+  for (const VarintSource& s : in)
+    if (!s.is_good) return false;
+  return has_right_points(house);
+}
+
+}  // namespace
+
+std::string encode_prisms(const PrismTile& tile) {
+  std::string streams[PRISM_STREAMS];
+  PlanPoint first;
+  std::int32_t ground = 0;
+  for (const PrismHouse& house : tile.houses) {
+    assert(!house.rings.empty() && has_right_points(house));
+    append_varint(streams[PRISM_STREAM_SHAPE], static_cast<std::uint64_t>(house.kind) +
+                                                   (house.is_owned ? PRISM_OWNED : 0) +
+                                                   PRISM_RINGS * (house.rings.size() - 1));
+    PlanPoint p = first;
+    for (const auto& ring : house.rings) {
+      append_varint(streams[PRISM_STREAM_SHAPE], ring.size() - 3);
+      for (const PlanPoint q : ring) {
+        append_signed(streams[PRISM_STREAM_EAST], std::int64_t{q.x} - p.x);
+        append_signed(streams[PRISM_STREAM_NORTH], std::int64_t{q.y} - p.y);
+        p = q;
+      }
+    }
+    first = house.rings[0][0];
+    append_signed(streams[PRISM_STREAM_GROUND], std::int64_t{house.ground} - ground);
+    ground = house.ground;
+    append_varint(streams[PRISM_STREAM_EAVE], house.eave);
+    append_varint(streams[PRISM_STREAM_RISE], house.rise);
+    append_varint(streams[PRISM_STREAM_COLOUR], house.wall);
+    append_varint(streams[PRISM_STREAM_COLOUR], house.roof);
+  }
+  std::string out(PRISM_HEADER_BYTES, '\0');
+  const auto put = [&](std::size_t at, std::uint64_t value, std::size_t size) { set_field(out, at, value, size); };
+  put(PRISM_MAGIC_AT, PRISM_MAGIC, 4);
+  put(PRISM_VERSION_AT, PRISM_VERSION, 2);
+  put(PRISM_COLOURS_AT, tile.palette.size(), 2);
+  put(PRISM_HOUSES_AT, tile.houses.size(), 4);
+  put(PRISM_TILE_SIDE_AT, tile.tile_side_mm, 4);
+  put(PRISM_EAST_AT, static_cast<std::uint32_t>(tile.corner.x), 4);
+  put(PRISM_NORTH_AT, static_cast<std::uint32_t>(tile.corner.y), 4);
+  put(PRISM_BASE_AT, static_cast<std::uint32_t>(tile.base_mm), 4);
+  put(PRISM_STEP_AT, tile.step_mm, 4);
+  put(PRISM_UP_STEP_AT, tile.up_step_mm, 4);
+  put(PRISM_ERROR_AT, tile.error_mm, 4);
+  put(PRISM_KEY_AT, tile.key, 8);
+  for (std::size_t i = 0; i < PRISM_STREAMS; ++i) put(PRISM_LENGTHS_AT + 4 * i, streams[i].size(), 4);
+  for (const Colour c : tile.palette)
+    for (const std::uint8_t v : {c.r, c.g, c.b}) out.push_back(static_cast<char>(v));
+  for (const auto& s : streams) out += s;
+  return out;
+}
+
+std::optional<PrismTile> decode_prisms(std::string_view bytes) {
+  if (bytes.size() < PRISM_HEADER_BYTES || u32_at(bytes, PRISM_MAGIC_AT) != PRISM_MAGIC ||
+      u16_at(bytes, PRISM_VERSION_AT) != PRISM_VERSION)
+    return std::nullopt;
+  PrismTile tile;
+  tile.corner = {i32_at(bytes, PRISM_EAST_AT), i32_at(bytes, PRISM_NORTH_AT)};
+  tile.tile_side_mm = u32_at(bytes, PRISM_TILE_SIDE_AT);
+  tile.base_mm = i32_at(bytes, PRISM_BASE_AT);
+  tile.step_mm = u32_at(bytes, PRISM_STEP_AT);
+  tile.up_step_mm = u32_at(bytes, PRISM_UP_STEP_AT);
+  tile.error_mm = u32_at(bytes, PRISM_ERROR_AT);
+  tile.key = field_at(bytes, PRISM_KEY_AT, 8);
+  const std::size_t colours = u16_at(bytes, PRISM_COLOURS_AT), houses = u32_at(bytes, PRISM_HOUSES_AT);
+  if (colours > kMostColours || tile.step_mm == 0 || tile.up_step_mm == 0) return std::nullopt;
+  std::uint64_t total = PRISM_HEADER_BYTES + 3 * colours, lengths[PRISM_STREAMS];
+  for (std::size_t i = 0; i < PRISM_STREAMS; ++i) total += lengths[i] = u32_at(bytes, PRISM_LENGTHS_AT + 4 * i);
+  if (total != bytes.size() || houses > lengths[PRISM_STREAM_SHAPE]) return std::nullopt;
+  std::size_t at = PRISM_HEADER_BYTES;
+  for (std::size_t i = 0; i < colours; ++i, at += 3)
+    tile.palette.push_back({static_cast<std::uint8_t>(bytes[at]), static_cast<std::uint8_t>(bytes[at + 1]),
+                            static_cast<std::uint8_t>(bytes[at + 2])});
+  const auto stream = [&](std::size_t i) {
+    const auto part = bytes.substr(at, lengths[i]);
+    at += lengths[i];
+    return VarintSource(part);
+  };
+  VarintSource in[PRISM_STREAMS] = {stream(0), stream(1), stream(2), stream(3), stream(4), stream(5), stream(6)};
+  PlanPoint first;
+  std::int64_t ground = 0;
+  for (std::size_t i = 0; i < houses; ++i)
+    if (!read_house(in, first, ground, colours, tile.houses.emplace_back())) return std::nullopt;
+  for (const VarintSource& s : in)
+    if (!s.is_done()) return std::nullopt;
+  return tile;
+}
+
+}  // namespace vicus

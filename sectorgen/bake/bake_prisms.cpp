@@ -1,0 +1,251 @@
+#include "sectorgen/bake/bake_prisms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "city_db/segment.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 512, kUpStep_mm = 100;
+constexpr std::size_t kMostColours = 4096;
+
+/// Douglas and Peucker between two points kept; the last is left to the caller.
+void append_simplified(const Ring& ring, std::size_t first, std::size_t last, double tolerance_mm, Ring& out) {
+  std::size_t farthest = first;
+  double distance = tolerance_mm;
+  const auto at = [&](std::size_t i) { return ring[i % ring.size()]; };
+  for (std::size_t i = first + 1; i < last; ++i)
+    if (const double d = distance_to_segment_mm(at(i), at(first), at(last)); d > distance) farthest = i, distance = d;
+  if (farthest == first) {
+    out.push_back(at(first));
+    return;
+  }
+  append_simplified(ring, first, farthest, tolerance_mm, out);
+  append_simplified(ring, farthest, last, tolerance_mm, out);
+}
+
+/// Starts from the two points that are farthest apart along both axes, so that where a ring begins does not matter.
+Ring simplified(const Ring& ring, double tolerance_mm) {
+  const auto lowest = static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
+  std::size_t farthest = lowest;
+  double most = -1;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const double d = std::hypot(double(ring[i].x) - ring[lowest].x, double(ring[i].y) - ring[lowest].y);
+    if (d > most) most = d, farthest = i;
+  }
+  const std::size_t middle = farthest < lowest ? farthest + ring.size() : farthest;
+  Ring out;
+  append_simplified(ring, lowest, middle, tolerance_mm, out);
+  append_simplified(ring, middle, lowest + ring.size(), tolerance_mm, out);
+  return out;
+}
+
+std::int32_t steps_from(std::int64_t mm, std::int64_t corner_mm, std::int64_t step_mm) {
+  // Rounded on a lattice through the plan's origin, not the tile's corner: the corner is on it (sides are 128 m x 2^k).
+  const auto rounded = [&](std::int64_t v) {
+    return static_cast<std::int64_t>(std::floor(double(v) / double(step_mm) + 0.5));
+  };
+  return static_cast<std::int32_t>(rounded(mm) - rounded(corner_mm));
+}
+
+double doubled_area(const std::vector<PlanPoint>& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += double(a.x) * b.y - double(a.y) * b.x;
+  }
+  return sum;
+}
+
+std::vector<std::vector<PlanPoint>> rounded_rings(const Polygon& footprint, PlanPoint corner, std::int64_t step_mm) {
+  std::vector<std::vector<PlanPoint>> out;
+  const auto add = [&](const Ring& ring) {
+    std::vector<PlanPoint> points;
+    for (const PlanPoint p : simplified(ring, double(step_mm) / 2)) {
+      const PlanPoint q{steps_from(p.x, corner.x, step_mm), steps_from(p.y, corner.y, step_mm)};
+      if (points.empty() || points.back() != q) points.push_back(q);
+    }
+    if (points.size() > 1 && points.front() == points.back()) points.pop_back();
+    if (points.size() >= 3 && doubled_area(points) != 0) out.push_back(std::move(points));
+    return !out.empty();
+  };
+  if (!add(footprint.outer)) return out;
+  for (const auto& hole : footprint.holes) add(hole);
+  return out;
+}
+
+/// The simple roof over a place, steps above the eave. `rings` and the place in steps.
+double rise_at(const PrismHouse& house, double x, double y) {
+  const auto& ring = house.rings[0];
+  if (house.kind == PrismKind::flat) return house.rise;
+  if (house.kind == PrismKind::tent) {
+    double mx = 0, my = 0;
+    for (const PlanPoint p : ring) mx += p.x, my += p.y;
+    mx /= double(ring.size());
+    my /= double(ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {  // which triangle of the tent it is below
+      const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+      const double area = (b.x - a.x) * (my - a.y) - (b.y - a.y) * (mx - a.x);
+      if (area <= 0) continue;
+      const double w = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+      const double u = ((mx - b.x) * (y - b.y) - (my - b.y) * (x - b.x)) / area;
+      const double v = 1 - u - w;
+      if (u >= -1e-9 && v >= -1e-9 && w >= -1e-9) return w * house.rise;
+    }
+    return 0;
+  }
+  // Sides 0-1 and 2-3 or 1-2 and 3-0 are the longer ones; the slopes rise from them.
+  const auto length = [&](std::size_t i) {
+    return std::hypot(double(ring[(i + 1) % 4].x) - ring[i].x, double(ring[(i + 1) % 4].y) - ring[i].y);
+  };
+  const std::size_t first = length(0) + length(2) >= length(1) + length(3) ? 0 : 1;
+  const auto inside = [&](std::size_t i) {  // distance from side i, inwards
+    const PlanPoint a = ring[i % 4], b = ring[(i + 1) % 4];
+    return ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / std::max(1.0, length(i % 4));
+  };
+  const double across = std::max(1e-9, inside(first) + inside(first + 2));
+  double share = 2 * std::min(inside(first), inside(first + 2)) / across;
+  if (house.kind == PrismKind::hipped) {
+    const double half = std::max(1e-9, (length((first + 1) % 4) + length((first + 3) % 4)) / 4);
+    share = std::min(share, std::min(inside(first + 1), inside(first + 3)) / half);
+  }
+  return std::clamp(share, 0.0, 1.0) * house.rise;
+}
+
+std::uint32_t up_steps(double m) {
+  return static_cast<std::uint32_t>(std::max(0L, std::lround(m * kMmPerMetre / kUpStep_mm)));
+}
+
+/// How far the simple roof passes above or below the corners of the true one, metres. Those on walls are judged at the
+/// eave's height too: there the wall stands.
+double roof_error_m(const BakeHouse& house, const PrismHouse& prism, PlanPoint corner, double step_m) {
+  double error = 0;
+  for (const BakeTriangle& t : house.roof)
+    for (int k = 0; k < 3; ++k) {
+      const double up = house.planes[t.plane].at(t.x[k], t.y[k]) - house.ground_m;
+      const double x = (t.x[k] - metres(corner.x)) / step_m, y = (t.y[k] - metres(corner.y)) / step_m;
+      const double simple = (prism.eave + rise_at(prism, x, y)) * (kUpStep_mm / kMmPerMetre);
+      error = std::max(error, std::abs(up - simple));
+    }
+  return error;
+}
+
+/// The kind of roof that passes nearest to the true one.
+double choose_roof(const BakeHouse& house, PlanPoint corner, double step_m, PrismHouse& prism) {
+  const double eave = house.eave_m, top = house.top_m - house.ground_m;
+  PrismHouse best = prism;
+  double least = 1e9;
+  const auto attempt = [&](PrismKind kind, double eave_m, double rise_m) {
+    PrismHouse next = prism;
+    next.kind = kind;
+    next.eave = up_steps(eave_m);
+    next.rise = up_steps(rise_m);
+    const double error = roof_error_m(house, next, corner, step_m);
+    if (error < least) least = error, best = std::move(next);
+  };
+  double low = 1e9, high = -1e9;
+  for (const BakeTriangle& t : house.roof)
+    for (int k = 0; k < 3; ++k) {
+      const double up = house.planes[t.plane].at(t.x[k], t.y[k]) - house.ground_m;
+      low = std::min(low, up), high = std::max(high, up);
+    }
+  if (low > high) low = high = top;
+  attempt(PrismKind::flat, (low + high) / 2, 0);
+  if (top - eave > 0.2 && prism.rings.size() == 1) {
+    attempt(PrismKind::tent, eave, top - eave);
+    if (prism.rings[0].size() == 4) {
+      attempt(PrismKind::gabled, eave, top - eave);
+      attempt(PrismKind::hipped, eave, top - eave);
+    }
+  }
+  prism = std::move(best);
+  return least;
+}
+
+std::uint64_t z_order(PlanPoint p) {
+  const auto spread = [](std::uint64_t v) {
+    std::uint64_t out = 0;
+    for (int bit = 0; bit < 32; ++bit) out |= (v >> bit & 1) << (2 * bit);
+    return out;
+  };
+  const auto shifted = [](std::int32_t v) { return static_cast<std::uint64_t>(std::int64_t{v} + (1 << 30)); };
+  return spread(shifted(p.x)) | spread(shifted(p.y)) << 1;
+}
+
+/// The palette: colours by how many houses have them, and what each house's are in it.
+void set_colours(const BakeScene& scene, const std::vector<std::uint32_t>& which, PrismTile& tile) {
+  std::map<Colour, std::size_t> count;
+  for (const std::uint32_t i : which) {
+    ++count[scene.houses()[i].wall_colour];
+    ++count[scene.houses()[i].roof_colour];
+  }
+  std::vector<std::pair<std::size_t, Colour>> order;
+  for (const auto& [colour, n] : count) order.push_back({n, colour});
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (order.size() > kMostColours) order.resize(kMostColours);
+  std::map<Colour, std::uint16_t> place;
+  for (const auto& [n, colour] : order) {
+    place.emplace(colour, static_cast<std::uint16_t>(tile.palette.size()));
+    tile.palette.push_back(colour);
+  }
+  const auto find = [&](Colour c) { return place.contains(c) ? place.at(c) : std::uint16_t{0}; };
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    tile.houses[k].wall = find(scene.houses()[which[k]].wall_colour);
+    tile.houses[k].roof = find(scene.houses()[which[k]].roof_colour);
+  }
+}
+
+}  // namespace
+
+PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm) {
+  PrismTile tile;
+  tile.corner = corner;
+  tile.tile_side_mm = tile_side_mm;
+  tile.step_mm = std::max(kLeastStep_mm, tile_side_mm / kSteps);
+  tile.step_mm = tile.step_mm / 5 * 5;
+  while (tile_side_mm % tile.step_mm != 0) ++tile.step_mm;  // the corner stays on the lattice
+  tile.up_step_mm = kUpStep_mm;
+  const PlanBox box{corner,
+                    {static_cast<std::int32_t>(std::int64_t{corner.x} + tile_side_mm),
+                     static_cast<std::int32_t>(std::int64_t{corner.y} + tile_side_mm)}};
+  struct Found {
+    std::uint64_t order;
+    std::uint32_t index;
+    PrismHouse house;
+  };
+  std::vector<Found> found;
+  double base = 1e9, error = 0;
+  for (const std::uint32_t i : scene.houses_in(box)) {
+    const BakeHouse& house = scene.houses()[i];
+    PrismHouse prism;
+    prism.rings = rounded_rings(house.footprint, corner, tile.step_mm);
+    if (prism.rings.empty()) {  // narrower than a step: what is left out is no farther than a step from nothing
+      error = std::max(error, house.top_m - house.ground_m);
+      continue;
+    }
+    const std::int64_t mx = (std::int64_t{house.box.min.x} + house.box.max.x) / 2,
+                       my = (std::int64_t{house.box.min.y} + house.box.max.y) / 2;
+    prism.is_owned = mx >= box.min.x && my >= box.min.y && mx < box.max.x && my < box.max.y;
+    const double roof = choose_roof(house, corner, metres(tile.step_mm), prism);
+    error = std::max(error, roof + metres(tile.step_mm) * 1.25);  // half a step cut, 0.71 rounded
+    base = std::min(base, house.ground_m);
+    found.push_back({z_order(prism.rings[0][0]), i, std::move(prism)});
+  }
+  tile.base_mm = found.empty() ? 0 : static_cast<std::int32_t>(std::floor(base)) * 1000;
+  tile.error_mm = static_cast<std::uint32_t>(std::ceil(error * kMmPerMetre)) + kUpStep_mm;
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.order < b.order; });
+  std::vector<std::uint32_t> which;
+  for (Found& f : found) {
+    f.house.ground = static_cast<std::int32_t>(
+        std::lround((scene.houses()[f.index].ground_m * kMmPerMetre - tile.base_mm) / kUpStep_mm));
+    which.push_back(f.index);
+    tile.houses.push_back(std::move(f.house));
+  }
+  set_colours(scene, which, tile);
+  return tile;
+}
+
+}  // namespace vicus

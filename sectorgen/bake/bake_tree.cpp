@@ -1,0 +1,106 @@
+#include "sectorgen/bake/bake_tree.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <tuple>
+
+#include "city_db/blockmap_layout.h"
+#include "city_db/byte_fields.hpp"
+#include "city_db/prism_tile_layout.h"
+#include "city_db/run_parallel.hpp"
+#include "sectorgen/bake/bake_prisms.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr std::uint64_t kBakerVersion = 1;  // of everything that turns a scene into bytes: raise it when that changes
+
+void add_below(const BakeScene& scene, int levels, const TileAddress& at, std::vector<TileNode>& out) {
+  TileNode node;
+  node.at = at;
+  node.houses = scene.houses_in(tile_box(levels, at)).size();
+  if (node.houses == 0 && at.z > 0) return;
+  node.has_blockmap = node.houses >= kHousesWorth || at.z == 0;
+  node.has_prisms = node.houses > 0 && node.houses <= kMostPrisms;
+  out.push_back(node);
+  if (node.houses <= kFewHouses || at.z + 1 == levels) return;
+  for (int which = 0; which < 4; ++which) add_below(scene, levels, child_of(at, which), out);
+}
+
+std::string error_text(bool has, std::uint32_t error_mm) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", error_mm / 1000.0);
+  return has ? text : "null";
+}
+
+}  // namespace
+
+int levels_of(const City& city) {
+  PlanBox box;
+  for (const Building& house : city.buildings)
+    for (const PlanPoint p : house.footprint.outer) box.add(p);
+  for (const Surface& surface : city.surfaces)
+    for (const GroundPoint& p : surface.points) box.add(p.at);
+  return tile_levels(box);
+}
+
+std::vector<TileNode> plan_tiles(const BakeScene& scene, int levels, unsigned threads) {
+  std::vector<TileNode> out;
+  add_below(scene, levels, {}, out);
+  std::stable_sort(out.begin(), out.end(), [](const TileNode& a, const TileNode& b) {
+    return std::tie(a.at.z, a.at.y, a.at.x) < std::tie(b.at.z, b.at.y, b.at.x);
+  });
+  run_parallel(out.size(), thread_count(threads), [&](std::size_t i, unsigned) {
+    KeyHash hash;
+    hash.add(kBakerVersion);
+    hash.add(scene.key_of(tile_box(levels, out[i].at)));
+    out[i].key = hash.value();
+  });
+  return out;
+}
+
+std::string tile_path(const TileAddress& at, TileKind kind) {
+  return tile_path(at) + (kind == TileKind::prisms ? ".prisms" : "");
+}
+
+const char* media_type_of(TileKind kind) {
+  return kind == TileKind::prisms ? "application/vnd.vicus.prisms" : "application/vnd.vicus.blockmap";
+}
+
+std::string tile_bytes(const BakeScene& scene, int levels, const TileAddress& at, TileKind kind, std::uint64_t key) {
+  const PlanPoint corner = tile_corner(levels, at);
+  const std::uint32_t side = tile_side_mm(levels, at.z);
+  if (kind == TileKind::prisms) {
+    PrismTile tile = bake_prisms(scene, corner, side);
+    tile.key = key;
+    return encode_prisms(tile);
+  }
+  BlockMap map = bake_blockmap(scene, corner, side);
+  map.key = key;
+  return encode_blockmap(map);
+}
+
+std::optional<std::uint64_t> key_of_bytes(std::string_view bytes, TileKind kind) {
+  const std::size_t header = kind == TileKind::prisms ? PRISM_HEADER_BYTES : BLOCKMAP_HEADER_BYTES;
+  if (bytes.size() < header) return std::nullopt;
+  if (kind == TileKind::prisms)
+    return u32_at(bytes, PRISM_MAGIC_AT) == PRISM_MAGIC ? std::optional(field_at(bytes, PRISM_KEY_AT, 8))
+                                                        : std::nullopt;
+  return u32_at(bytes, BLOCKMAP_MAGIC_AT) == BLOCKMAP_MAGIC ? std::optional(field_at(bytes, BLOCKMAP_KEY_AT, 8))
+                                                            : std::nullopt;
+}
+
+std::string tree_json(int levels, const std::vector<TileEntry>& tiles) {
+  std::string out = "{\"levels\":" + std::to_string(levels) + ",\"leafSide_m\":" + std::to_string(kLeafSide_mm / 1000) +
+                    ",\"tiles\":[";
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const TileEntry& t = tiles[i];
+    out += (i == 0 ? "\n[" : ",\n[") + std::to_string(t.node.at.z) + "," + std::to_string(t.node.at.x) + "," +
+           std::to_string(t.node.at.y) + "," + std::to_string(t.node.houses) + "," +
+           error_text(t.node.has_blockmap, t.blockmap_error_mm) + "," + std::to_string(t.blockmap_bytes) + "," +
+           error_text(t.node.has_prisms, t.prism_error_mm) + "," + std::to_string(t.prism_bytes) + "]";
+  }
+  return out + "\n]}\n";
+}
+
+}  // namespace vicus

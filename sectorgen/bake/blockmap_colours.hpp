@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+
+#include "city_db/blockmap.hpp"
+#include "sectorgen/bake/cast_hit.hpp"
+#include "sectorgen/bake/webp_image.hpp"
+
+namespace vicus {
+
+/// What a hit looks like, and how the surface lies there.
+struct HitLook {
+  Colour colour;
+  double east = 0, north = 0, up = 1;  ///< unit normal
+  double ambient = 1;
+};
+
+/// The pictures of a tile, unpacked; the rules of colouring that caster and shader share are said here.
+///
+/// plane   the roof picture. foot: the roof picture one or two cells on, in the direction of the line's normal, of the
+///         first whose plane, carried on, lies within wall_step of the foot; else the ground picture.
+/// side    not more than wall_step below the plane: the plane's. Else the column of that side; else the cell's line;
+/// else
+///         the line of the cell that the ray came from; else the plane's.
+/// light   of planes and feet: the ambient picture. Of walls: that of two cells before them at the foot, all at the
+/// top.
+class BlockMapColours {
+ public:
+  /// nullopt: a picture is damaged or of another size.   Needs   `map` outlives it.
+  static std::optional<BlockMapColours> of(const BlockMap& map);
+  HitLook look(const PlanRay& ray, const CastHit& hit) const;
+
+ private:
+  explicit BlockMapColours(const BlockMap& map) : map_(&map) {}
+  Colour wall(std::size_t cell, std::uint8_t bit, double up) const;
+  Colour foot(std::size_t cell) const;
+  const BlockMap* map_;
+  RgbImage roof_, ground_, ambient_, wall_;
+  std::vector<std::uint8_t> walls_;
+  std::vector<std::uint32_t> first_;
+};
+
+}  // namespace vicus

@@ -1,0 +1,161 @@
+#include "sectorgen/bake/ground_colours.hpp"
+
+#include <array>
+
+#include "city_db/boxes.hpp"
+#include "city_db/surface_colour.hpp"
+#include "city_db/terrain.hpp"
+#include "sectorgen/bake/raster_triangle.hpp"
+
+namespace vicus {
+namespace {
+
+constexpr int kSamples = 2;        // a cell and direction
+constexpr double kReach_m = 32;    // of ambient light
+constexpr float kReflects = 0.5f;  // of the light that falls on walls: yards are not black
+constexpr int kMostReach = 16;     // samples
+constexpr int kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16};
+
+struct Sum {
+  ColourMean colour;
+  double weight = 0;
+};
+
+ColourMean colour_of_kind(std::uint8_t kind) {
+  static const auto kColours = [] {
+    std::array<ColourMean, 16> out{};
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i + 1] = mean_of(surface_colour(static_cast<SurfaceKind>(i)));
+    return out;
+  }();
+  return kColours[kind];
+}
+
+}  // namespace
+
+GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame) : side_(frame.side) {
+  const int n = static_cast<int>(frame.side) * kSamples;
+  kind_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0);
+  const double scale = kSamples / frame.cell_m();
+  for (const std::uint32_t i : scene.ground_in(frame.box())) {
+    const BakeGround& g = scene.ground()[i];
+    double x[3], y[3];
+    for (int k = 0; k < 3; ++k) {
+      x[k] = (g.x[k] - frame.west_m()) * scale;
+      y[k] = (g.y[k] - frame.south_m()) * scale;
+    }
+    const auto kind = static_cast<std::uint8_t>(static_cast<int>(g.kind) + 1);
+    raster_triangle(x, y, n, n, [&](int column, int row) {
+      kind_[static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column)] = kind;
+    });
+  }
+}
+
+ColourMean GroundColours::of_cell(std::size_t column, std::size_t row) const {
+  ColourMean sum;
+  double weight = 0;
+  for (std::size_t y = row * kSamples; y < (row + 1) * kSamples; ++y)
+    for (std::size_t x = column * kSamples; x < (column + 1) * kSamples; ++x)
+      if (const std::uint8_t kind = kind_[y * side_ * kSamples + x]; kind != 0) {
+        sum = sum + colour_of_kind(kind);
+        weight += 1;
+      }
+  return weight > 0 ? sum * (1 / weight) : mean_of(kBeyondCity);
+}
+
+RgbImage GroundColours::filled() const {
+  // Pull: sums of ever larger squares. Push: empty squares take the colour of the next larger one.
+  std::vector<std::vector<Sum>> levels;
+  std::size_t n = side_ / 2;
+  levels.emplace_back(n * n);
+  const std::size_t samples = 2 * kSamples;
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t column = 0; column < n; ++column)
+      for (std::size_t y = row * samples; y < (row + 1) * samples; ++y)
+        for (std::size_t x = column * samples; x < (column + 1) * samples; ++x)
+          if (const std::uint8_t kind = kind_[y * side_ * kSamples + x]; kind != 0) {
+            Sum& s = levels[0][row * n + column];
+            s.colour = s.colour + colour_of_kind(kind);
+            s.weight += 1;
+          }
+  for (; n > 1; n /= 2) {
+    std::vector<Sum> next(n / 2 * (n / 2));
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column < n; ++column) {
+        Sum& s = next[row / 2 * (n / 2) + column / 2];
+        const Sum& from = levels.back()[row * n + column];
+        s.colour = s.colour + from.colour;
+        s.weight += from.weight;
+      }
+    levels.push_back(std::move(next));
+  }
+  if (levels.back()[0].weight == 0) levels.back()[0] = {mean_of(kBeyondCity), 1};
+  for (std::size_t level = levels.size() - 1; level-- > 0;) {
+    const std::size_t size = (side_ / 2) >> level;
+    for (std::size_t row = 0; row < size; ++row)
+      for (std::size_t column = 0; column < size; ++column) {
+        Sum& s = levels[level][row * size + column];
+        const Sum& larger = levels[level + 1][row / 2 * (size / 2) + column / 2];
+        if (s.weight == 0) s = {larger.colour * (1 / larger.weight), 1};
+      }
+  }
+  const auto half = static_cast<std::uint32_t>(side_ / 2);
+  RgbImage image(half, half);
+  for (std::size_t row = 0; row < half; ++row)
+    for (std::size_t column = 0; column < half; ++column) {
+      const Sum& s = levels[0][(half - 1 - row) * half + column];
+      image.set(column, row, rounded(s.colour * (1 / s.weight)));
+    }
+  return image;
+}
+
+std::vector<std::uint8_t> ambient_light(const BakeScene& scene, const TileFrame& frame) {
+  const double spacing = 2 * frame.cell_m();
+  const int reach = std::clamp(static_cast<int>(kReach_m / spacing), 1, kMostReach);
+  const int half = static_cast<int>(frame.side / 2), width = half + 2 * reach;
+  const double west = frame.west_m() - reach * spacing, south = frame.south_m() - reach * spacing;
+  std::vector<float> up(static_cast<std::size_t>(width) * static_cast<std::size_t>(width), 0.0f);
+  if (!scene.terrain().height_mm.empty())
+    for (int row = 0; row < width; ++row)
+      for (int column = 0; column < width; ++column)
+        up[static_cast<std::size_t>(row * width + column)] = static_cast<float>(height_m(
+            scene.terrain(), {lattice_mm(west + (column + 0.5) * spacing), lattice_mm(south + (row + 0.5) * spacing)}));
+  for (const std::uint32_t i : scene.houses_in(grown(frame.box(), lattice_mm(reach * spacing)))) {
+    const BakeHouse& house = scene.houses()[i];
+    for (const BakeTriangle& t : house.roof) {
+      const UpPlane& plane = house.planes[t.plane];
+      double x[3], y[3];
+      for (int k = 0; k < 3; ++k) {
+        x[k] = (t.x[k] - west) / spacing;
+        y[k] = (t.y[k] - south) / spacing;
+      }
+      raster_triangle(x, y, width, width, [&](int column, int row) {
+        up[static_cast<std::size_t>(row * width + column)] =
+            static_cast<float>(plane.at(west + (column + 0.5) * spacing, south + (row + 0.5) * spacing));
+      });
+    }
+  }
+  std::vector<std::uint8_t> out;
+  out.reserve(static_cast<std::size_t>(half) * static_cast<std::size_t>(half));
+  constexpr int kDirections[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  for (int row = reach; row < reach + half; ++row)
+    for (int column = reach; column < reach + half; ++column) {
+      const int at = row * width + column;
+      const float own = up[static_cast<std::size_t>(at)];
+      float sky = 0;
+      for (const auto& d : kDirections) {
+        const float unit = static_cast<float>(spacing) * (d[0] != 0 && d[1] != 0 ? 1.41421356f : 1.0f);
+        float tangent = 0;
+        for (const int step : kSteps) {
+          if (step > reach) break;
+          const float rise = up[static_cast<std::size_t>(at + step * (d[1] * width + d[0]))] - own;
+          tangent = std::max(tangent, rise / (unit * static_cast<float>(step)));
+        }
+        sky += 1 / (1 + tangent * tangent);
+      }
+      const float seen = sky / 8;
+      out.push_back(static_cast<std::uint8_t>(seen / (1 - kReflects * (1 - seen)) * 255 + 0.5f));
+    }
+  return out;
+}
+
+}  // namespace vicus

@@ -1,0 +1,33 @@
+#pragma once
+#include "sectorgen/bake/cell_pieces.hpp"
+#include "sectorgen/bake/webp_image.hpp"
+
+/// What the ground of a tile looks like.
+namespace vicus {
+
+/// Ground that no surface covers: beyond the city's edge.
+inline constexpr Colour kBeyondCity{176, 172, 152};
+
+class GroundColours {
+ public:
+  /// Four samples a cell.
+  GroundColours(const BakeScene& scene, const TileFrame& frame);
+  ColourMean of_cell(std::size_t column, std::size_t row) const;  ///< kBeyondCity where no sample is ground
+  /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and
+  /// the foot of a wall is never roof-coloured.
+  RgbImage filled() const;
+
+ private:
+  std::size_t side_;
+  std::vector<std::uint8_t> kind_;  ///< 1 + SurfaceKind; 0: none
+};
+
+/// Ambient light of roofs and ground, 255: the whole sky; N/2 x N/2 values, south row first. Of eight directions the
+/// horizon within 32 m and 16 samples; the sky above it by the cosine law, and what walls reflect of it,
+/// again and again.
+/// Source  paper 001 §4 "Ambient occlusion".
+/// Differs by horizons over the height field instead of counting views: no noise, 1/50 of the rays' cost. Houses beyond
+///         the tile's rim count, so that tiles agree at their seams.
+std::vector<std::uint8_t> ambient_light(const BakeScene& scene, const TileFrame& frame);
+
+}  // namespace vicus

@@ -1,0 +1,11 @@
+#pragma once
+#include "city_db/store.hpp"
+#include "sectorgen/bake/bake_scene.hpp"
+
+namespace vicus {
+
+/// What a tile of this box is baked from, out of a city file: the same bytes come of it as of the whole city.
+/// Fails   CityError as CityReader does.
+BakeScene read_scene(const CityReader& reader, const PlanBox& box);
+
+}  // namespace vicus

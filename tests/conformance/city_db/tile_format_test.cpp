@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+#include "city_db/blockmap2007_layout.h"
+#include "city_db/blockmap2009_layout.h"
+#include "city_db/blockmap_layout.h"
+#include "city_db/prism_tile_layout.h"
+#include "tests/support/sample_tiles.hpp"
+#include "tests/support/scratch.hpp"
+
+/// FORMAT.md's tiles are what the encoders write.
+namespace vicus::test {
+namespace {
+
+/// The bytes of the `which`-th ```hexdump block.
+std::string dumped_bytes(int which) {
+  const std::string text = read_bytes(std::string(VICUS_TESTS) + "/../city_db/FORMAT.md"), fence = "```hexdump\n";
+  std::size_t begin = 0;
+  for (int i = 0; i <= which; ++i) begin = text.find(fence, begin) + fence.size();
+  std::istringstream lines(text.substr(begin, text.find("```", begin) - begin));
+  std::string bytes;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_EQ(std::stoul(line.substr(0, 4), nullptr, 16), bytes.size()) << line;
+    for (std::size_t at = 6; at + 1 < line.size() && line[at] != ' '; at += 3)
+      bytes.push_back(static_cast<char>(std::stoi(line.substr(at, 2), nullptr, 16)));
+  }
+  return bytes;
+}
+
+TEST(FormatMd, ShowsABlockMapsHeaderAsTheEncoderWritesIt) {
+  const std::string bytes = encode_blockmap(sample_blockmap());
+  EXPECT_EQ(dumped_bytes(1), bytes.substr(0, BLOCKMAP_HEADER_BYTES));
+  EXPECT_EQ(bytes.size(), std::size_t{BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * 16 * 16});
+  EXPECT_EQ(decode_blockmap(bytes), sample_blockmap());
+}
+
+TEST(FormatMd, ShowsAPrismTileAsTheEncoderWritesIt) {
+  EXPECT_EQ(dumped_bytes(2), encode_prisms(sample_prisms()));
+  EXPECT_EQ(decode_prisms(dumped_bytes(2)), sample_prisms());
+}
+
+TEST(FormatMd, ShowsTheHeaderOfABlockMapOf2007) {
+  EXPECT_EQ(dumped_bytes(3), encode_paper(sample_paper()).substr(0, BLOCKMAP2007_HEADER_BYTES));
+  EXPECT_EQ(decode_paper(encode_paper(sample_paper())), sample_paper());
+}
+
+/// What JavaScript and shaders read must be what C++ was compiled with: numbers only, one a line.
+TEST(Layouts, AreIntegerDefinesThatAnyoneCanRead) {
+  for (const char* name :
+       {"blockmap_layout.h", "blockmap2007_layout.h", "blockmap2009_layout.h", "prism_tile_layout.h"}) {
+    std::istringstream lines(read_bytes(std::string(VICUS_TESTS) + "/../city_db/" + name));
+    int defines = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("//") || line.find_first_not_of(' ') == std::string::npos) continue;
+      std::istringstream words(line);
+      std::string define, symbol, value, rest;
+      words >> define >> symbol >> value >> rest;
+      if (define == "//") continue;
+      EXPECT_EQ(define, "#define") << line;
+      std::size_t used = 0;
+      std::stoul(value, &used, 0);
+      EXPECT_EQ(used, value.size()) << line;
+      EXPECT_TRUE(rest.empty() || rest.starts_with("//")) << line;
+      ++defines;
+    }
+    EXPECT_GT(defines, 10) << name;
+  }
+}
+
+TEST(TileColumns, AreCountedByTheRuleAlone) {
+  const BlockMap map = sample_blockmap();
+  const auto walls = wall_bits(map);
+  // 17: south is the cell below, west is ground, east is 18, which has a line; its north side stands 2 m higher.
+  EXPECT_EQ(walls[17], kWallNorth | kWallWest | kWallSouth);
+  EXPECT_EQ(walls[18], kWallLine);
+  const auto first = first_columns(walls);
+  EXPECT_EQ(column_total(first), 4u);
+  EXPECT_LT(first[17], first[18]);
+}
+
+}  // namespace
+}  // namespace vicus::test
