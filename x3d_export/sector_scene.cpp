@@ -6,14 +6,14 @@
 #include <sstream>
 
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
+#include "x3d_export/surroundings.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
 namespace {
 
-/// rad, up and down: in a narrow street one sees the eaves and the ground at once.
-constexpr double kFieldOfView = 0.95;
 constexpr int kMostParts = 1000, kMostShapes = 100'000;  // as wide as such numbers are written
 
 struct SectorParts {
