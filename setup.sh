@@ -17,11 +17,12 @@ build_packages=(
   libbrotli-dev libdeflate-dev libssl-dev           # codings and hashes of what is sent
   libimagequant-dev                                 # palettes of textures
   libdraco-dev                                      # glTF's geometry
+  libembree-dev libpng-dev                          # pictures: rays, images
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )
 test_packages=(
-  libgtest-dev libembree-dev libpng-dev
+  libgtest-dev
   clang-format
   libxml2-utils gdal-bin sqlite3 view3dscene        # other people's readers of our files
   chromium fonts-dejavu-core                        # the browser of tests/browser
