@@ -33,6 +33,18 @@ int power_of_two(double px, int most) {
   return side;
 }
 
+/// Below the ground at the gate there is nothing to see; where the ground lies lower than the terrain says, by a kerb,
+/// the picture goes on downwards.
+CutOut with_foot(CutOut picture) {
+  const int lowest = picture.height - 1 - picture.height / 8;
+  for (int x = 0; x < picture.width; ++x) {
+    int last = picture.height - 1;
+    while (last >= lowest && picture.at(x, last)[3] < 0.999f) --last;
+    for (int y = last + 1; last >= lowest && y < picture.height; ++y) picture.at(x, y) = picture.at(x, last);
+  }
+  return picture;
+}
+
 class ImpostorBaker {
  public:
   ImpostorBaker(const CityIndex& index, const RayScene& scene, const Gate& gate, const ImpostorOptions& options)
@@ -65,7 +77,7 @@ class ImpostorBaker {
     stand(camera, left, right);
     const Surface* surface = surface_at(window);
     const Colour colour = surface != nullptr ? surface_colour(surface->kind) : ground_colour(sector->kind);
-    pack(out_.is_solid ? opaque(with_distance(view, camera, ground(window.left), colour)) : view.cut_out);
+    pack(out_.is_solid ? opaque(with_distance(view, camera, ground(window.left), colour)) : with_foot(view.cut_out));
     return std::move(out_);
   }
 

@@ -11,7 +11,7 @@
 namespace vicus {
 namespace {
 
-constexpr double kHaze_m = 160;     // after so many metres 63 % of a colour is haze
+constexpr double kHaze_m = 260;     // after so many metres 63 % of a colour is haze
 constexpr double kSkyline_m = 300;  // where the distant houses stand
 constexpr double kHouse_m = 14, kLow_m = 6, kHigh_m = 15;
 constexpr Colour kHouses{168, 158, 150};
