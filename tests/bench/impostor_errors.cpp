@@ -26,7 +26,7 @@ namespace {
 
 using namespace vicus;
 
-constexpr int kWidth = 480, kHeight = 300, kSamples = 4;
+constexpr int kWidth = 400, kHeight = 250, kSamples = 4;
 constexpr std::size_t kMostEyes = 5;
 constexpr double kEye_m = 1.7, kView = 0.95;
 
@@ -109,11 +109,28 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void measure(Variant& v, const View& truth, const View& alone, const View& shown) {
+/// Does the ray through the pixel's middle pass the gate, at whatever height?
+bool passes(const Camera& camera, const Gate& gate, std::size_t pixel) {
+  const double x = (static_cast<double>(pixel % kWidth) + 0.5) / kWidth,
+               y = (static_cast<double>(pixel / kWidth) + 0.5) / kHeight;
+  const Vec3 way = camera.ahead + camera.right * (camera.left_side + x * (camera.right_side - camera.left_side)) +
+                   camera.above * (camera.top_side + y * (camera.bottom_side - camera.top_side));
+  const GateWindow window = window_of(gate);
+  const Vec3 left{metres(window.left.x), metres(window.left.y), 0},
+      right{metres(window.right.x), metres(window.right.y), 0};
+  const Vec3 along = right - left, normal = cross({0, 0, 1}, along),
+             from = left - Vec3{camera.eye[0], camera.eye[1], 0};
+  const double t = dot(from, normal) / dot(way, normal);
+  const double share = dot(way * t - from, along) / dot(along, along);
+  return t > 0 && share >= 0 && share <= 1;
+}
+
+void measure(Variant& v, const View& truth, const View& alone, const View& shown, const Camera& camera,
+             const Gate& gate) {
   const auto map = flip_map(truth.colour, shown.colour);
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {
     v.flip_all += map.pixels[i] / static_cast<double>(map.pixels.size());
-    if (alone.coverage.pixels[i] > 0.5f || truth.coverage.pixels[i] < 0.5f) continue;
+    if (alone.coverage.pixels[i] > 0.5f || truth.coverage.pixels[i] < 0.5f || !passes(camera, gate, i)) continue;
     v.flip += map.pixels[i];
     v.pixels += 1;
     v.uncovered += 1 - shown.coverage.pixels[i];
@@ -165,7 +182,8 @@ int main(int argc, char** argv) {
     for (const Camera& camera : eyes_of(city, sector, gate)) {
       const RenderOptions size{kWidth, kHeight, kSamples, 0.05, 0};
       const View truth = render(whole, camera, size), bare = render(alone, camera, size);
-      for (std::size_t i = 0; i < all.size(); ++i) measure(all[i], truth, bare, render(scenes[i], camera, size));
+      for (std::size_t i = 0; i < all.size(); ++i)
+        measure(all[i], truth, bare, render(scenes[i], camera, size), camera, gate);
     }
     std::fprintf(stderr, ".");
   }

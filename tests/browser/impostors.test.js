@@ -9,7 +9,7 @@ import { cities, serveCity } from './support/vicusServer.js';
 const kShots = process.env.VICUS_SHOTS ?? 'out';
 const [[name, make]] = Object.entries(cities());
 
-test(`pictures in the gates of ${name}`, { timeout: 900000 }, async t => {
+test(`pictures in the gates of ${name}`, { timeout: 1800000 }, async t => {
     mkdirSync(kShots, { recursive: true });
     const server = await serveCity(make), browser = await openBrowser({ width: 960, height: 600 });
     t.after(async () => {
@@ -42,13 +42,13 @@ test(`pictures in the gates of ${name}`, { timeout: 900000 }, async t => {
             const { view } = window.vicus, pose = view.pose();
             view.setPose({ ...pose, heading: Math.atan2(east - pose.east, north - pose.north), pitch: 0 });
         }, [east, north]);
-        await page.waitForFunction(shown, { start, gate: gate.id, is: true }, { timeout: 30000 });
-        await page.waitForFunction(() => window.vicus.view.isIdle(), null, { timeout: 30000 }).catch(() => {});
+        await page.waitForFunction(shown, { start, gate: gate.id, is: true }, { timeout: 180000 });
+        await page.waitForFunction(() => window.vicus.view.isIdle(), null, { timeout: 180000 }).catch(() => {});
         await page.waitForTimeout(1500);
         await page.screenshot({ path: join(kShots, `${name}-impostor.png`) });
         assert.ok(tab.requests.some(({ path }) => path === `/${gate.impostor.url}`), 'the picture was fetched');
         release();
-        await page.waitForFunction(shown, { start, gate: gate.id, is: false }, { timeout: 60000 });
+        await page.waitForFunction(shown, { start, gate: gate.id, is: false }, { timeout: 180000 });
         await page.waitForTimeout(1000);
         await page.screenshot({ path: join(kShots, `${name}-no-impostor.png`) });
         assert.deepEqual(tab.complaints, []);
@@ -67,9 +67,9 @@ test(`pictures in the gates of ${name}`, { timeout: 900000 }, async t => {
 <x3d-canvas src="/city.x3d?start=${start}&i=1" splashScreen="false" notifications="false" style="width: 640px; height: 480px"></x3d-canvas>`;
         await page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body }));
         await page.goto(`${server.origin}/bare.html`);
-        await page.waitForFunction(shownBare, { gate: gate.id, is: true }, { timeout: 120000, polling: 100 });
+        await page.waitForFunction(shownBare, { gate: gate.id, is: true }, { timeout: 180000, polling: 100 });
         release();
-        await page.waitForFunction(shownBare, { gate: gate.id, is: false }, { timeout: 60000, polling: 100 });
+        await page.waitForFunction(shownBare, { gate: gate.id, is: false }, { timeout: 180000, polling: 100 });
         assert.deepEqual(tab.complaints, []);
         await page.close();
     });
