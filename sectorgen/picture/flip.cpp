@@ -9,7 +9,7 @@ namespace vicus {
 namespace {
 
 using Triple = std::array<double, 3>;
-using Plane = Raster<double>;
+using Plane = PixelGrid<double>;
 using Planes = std::array<Plane, 3>;
 using Kernel = std::vector<double>;  // odd length, middle first in meaning
 
@@ -142,8 +142,8 @@ Plane seen(const Plane& channel, const Sensitivity& s, double pixels_per_degree)
 }
 
 struct Seen {
-  Raster<Triple> lab;   // after the eye
-  Plane edges, points;  // strength of features
+  PixelGrid<Triple> lab;  // after the eye
+  Plane edges, points;    // strength of features
 };
 
 /// A derivative's kernel whose negative and positive values sum up to -1 and 1 in two dimensions.
@@ -167,7 +167,7 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
   }
   for (std::size_t k = 0; k < 3; ++k) channels[k] = seen(channels[k], kSensitivities[k], pixels_per_degree);
   Seen out;
-  out.lab = Raster<Triple>(picture.width, picture.height);
+  out.lab = PixelGrid<Triple>(picture.width, picture.height);
   for (std::size_t i = 0; i < out.lab.pixels.size(); ++i) {
     Triple rgb = rgb_from_opponent({channels[0].pixels[i], channels[1].pixels[i], channels[2].pixels[i]});
     for (double& v : rgb) v = std::clamp(v, 0.0, 1.0);
@@ -192,10 +192,10 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
 
 }  // namespace
 
-Raster<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
+PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
   assert(reference.width == test.width && reference.height == test.height);
   const Seen a = look_at(reference, pixels_per_degree), b = look_at(test, pixels_per_degree);
-  Raster<float> out(reference.width, reference.height);
+  PixelGrid<float> out(reference.width, reference.height);
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     const double feature =
         std::max(std::abs(a.edges.pixels[i] - b.edges.pixels[i]), std::abs(a.points.pixels[i] - b.points.pixels[i]));

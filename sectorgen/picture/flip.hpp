@@ -11,7 +11,7 @@ inline constexpr double kPixelsPerDegree = 67.0206;
 /// Needs   equal sizes (assert).
 /// Source  Andersson et al., FLIP: A Difference Evaluator for Alternating Images, HPG 2020, for pictures of low dynamic
 ///         range. Filters as separable sums, borders repeated.
-Raster<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree = kPixelsPerDegree);
+PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree = kPixelsPerDegree);
 
 /// Mean of flip_map.
 double flip_mean(const Picture& reference, const Picture& test, double pixels_per_degree = kPixelsPerDegree);

@@ -25,7 +25,7 @@ class Renderer {
     view_.colour = Picture(options.width, options.height);
     view_.coverage = Coverage(options.width, options.height);
     view_.depth = DepthMap(options.width, options.height);
-    view_.cut_out = Raster<Rgba>(options.width, options.height);
+    view_.cut_out = PixelGrid<Rgba>(options.width, options.height);
   }
 
   View run() {

@@ -15,7 +15,7 @@ struct View {
   Picture colour;     ///< with the sky
   Coverage coverage;  ///< share of samples that met something, less what shines through it
   DepthMap depth;
-  Raster<Rgba> cut_out;  ///< colours without the sky, and coverage as opacity
+  PixelGrid<Rgba> cut_out;  ///< colours without the sky, and coverage as opacity
 };
 
 /// What the camera sees: a regular grid of samples in each pixel, images as means over each sample's area.
