@@ -19,11 +19,12 @@ build_packages=(
   libopenimageio-dev                                # photos of facades
   libwebp-dev                                       # pictures of BlockMaps
   libdraco-dev libtinygltf-dev libstb-dev           # glTF
+  libembree-dev                                     # pictures: rays
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE
 )
 test_packages=(
-  libgtest-dev libembree-dev
+  libgtest-dev
   clang-format
   libxml2-utils gdal-bin sqlite3 view3dscene        # other people's readers of our files
   chromium fonts-dejavu-core                        # the browser of tests/browser

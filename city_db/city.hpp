@@ -235,6 +235,22 @@ struct Viewpoint {
 /// Why a sector stands in the list of another; the first that holds, in this order.
 enum class VisibleReason { self, gate, line_of_sight, over_roofs, important };
 
+/// A picture of what lies beyond a gate, shown there until that has come (paper 004 §4.1.7): an upright rectangle.
+/// Frame   heights above the plan frame's 0.
+struct GateImpostor {
+  std::string gate_id, sector_id;  ///< the gate's own
+  PlanPoint eye;                   ///< where it was taken from, in the sector
+  double eye_up_m = 0;
+  PlanPoint left, right;  ///< of the picture, seen from the eye
+  double bottom_m = 0, top_m = 0;
+  double near_m = 0, far_m = 0;  ///< what it shows is so far before the eye; 0, 0: nothing but ground and sky
+  double plane_m = 0;            ///< so far stands the picture
+  double radius_m = 0;           ///< an eye so far from `eye` sees nothing displaced by more than 2 px of 579 px a unit
+  bool is_solid = false;         ///< at an end of the city: it stays, and its sky is painted
+  std::uint32_t width_px = 0, height_px = 0;
+  std::string png;  ///< as made; in the file it is the artefact impostors/GATE.png
+};
+
 /// One row of L_vis: some eye in `sector_id` may see `visible_sector_id`.
 struct Visible {
   std::string sector_id, visible_sector_id;
@@ -275,6 +291,7 @@ struct City {
   std::vector<Prototype> prototypes;
   std::vector<Viewpoint> viewpoints;
   std::vector<Visible> visible;
+  std::vector<GateImpostor> impostors;  ///< by gate; empty: none were baked
   Terrain terrain;
   std::vector<Issue> issues;
 };

@@ -56,6 +56,7 @@ class CityReader {
   std::vector<Prototype> prototypes() const;  ///< of the whole city
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
+  std::vector<GateImpostor> impostors_of(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.
   std::vector<std::string> sectors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;
   std::vector<Gate> gates_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;

@@ -41,6 +41,7 @@ City read_city(const std::filesystem::path& path) {
   read_list(db, "prototype", meta, city.prototypes);
   read_list(db, "viewpoint", meta, city.viewpoints);
   read_list(db, "visible", meta, city.visible);
+  read_list(db, "impostor", meta, city.impostors);
   read_list(db, "issue", meta, city.issues);
   std::vector<Terrain> terrains;
   read_list(db, "terrain", meta, terrains);

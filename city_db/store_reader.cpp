@@ -178,6 +178,9 @@ std::vector<Viewpoint> CityReader::viewpoints_of(const std::string& sector_id) c
 std::vector<Visible> CityReader::visible_from(const std::string& sector_id) const {
   return impl_->rows_of<Visible>("visible", sector_id);
 }
+std::vector<GateImpostor> CityReader::impostors_of(const std::string& sector_id) const {
+  return impl_->rows_of<GateImpostor>("impostor", sector_id);
+}
 
 std::vector<std::string> CityReader::sectors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const {
   std::vector<std::string> ids;

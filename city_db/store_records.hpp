@@ -22,6 +22,7 @@ void bind_record(Statement& row, const Ride& ride);
 void bind_record(Statement& row, const Prototype& prototype);
 void bind_record(Statement& row, const Viewpoint& viewpoint);
 void bind_record(Statement& row, const Visible& visible);
+void bind_record(Statement& row, const GateImpostor& impostor);
 void bind_record(Statement& row, const Terrain& terrain);
 void bind_record(Statement& row, const Issue& issue);
 void bind_record(Statement& row, const Artefact& artefact);
@@ -40,6 +41,7 @@ void read_record(const Statement& row, Ride& ride);
 void read_record(const Statement& row, Prototype& prototype);
 void read_record(const Statement& row, Viewpoint& viewpoint);
 void read_record(const Statement& row, Visible& visible);
+void read_record(const Statement& row, GateImpostor& impostor);
 void read_record(const Statement& row, Terrain& terrain);
 void read_record(const Statement& row, Issue& issue);
 void read_record(const Statement& row, Artefact& artefact);
@@ -55,6 +57,7 @@ PlanBox box_of_record(const Polygon& domain);
 PlanBox box_of_record(const Street& street);
 PlanBox box_of_record(const StandaloneObject& object);
 PlanBox box_of_record(const Viewpoint& viewpoint);
+PlanBox box_of_record(const GateImpostor& impostor);
 PlanBox box_of_record(const Issue& issue);
 
 }  // namespace vicus

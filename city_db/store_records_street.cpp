@@ -96,4 +96,53 @@ void read_record(const Statement& row, Viewpoint& v) {
   v.heading_deg = row.real(7);
 }
 
+void bind_record(Statement& row, const GateImpostor& i) {
+  row.bind_blob(1, encode_line({i.left, i.right}));
+  row.bind(2, i.gate_id);
+  row.bind(3, i.sector_id);
+  row.bind(4, metres(i.eye.x));
+  row.bind(5, metres(i.eye.y));
+  row.bind(6, i.eye_up_m);
+  row.bind(7, i.bottom_m);
+  row.bind(8, i.top_m);
+  row.bind(9, i.near_m);
+  row.bind(10, i.far_m);
+  row.bind(11, i.plane_m);
+  row.bind(12, i.radius_m);
+  row.bind(13, std::int64_t{i.is_solid});
+  row.bind(14, std::int64_t{i.width_px});
+  row.bind(15, std::int64_t{i.height_px});
+}
+
+void read_record(const Statement& row, GateImpostor& i) {
+  const auto line = require(row, decode_line(row.bytes(0)), "a geometry is no line on the lattice");
+  if (line.size() != 2) row.database().throw_damaged("an impostor that is no rectangle");
+  i.left = line[0];
+  i.right = line[1];
+  i.gate_id = row.text(1);
+  i.sector_id = row.text(2);
+  i.eye = {lattice_mm(row.real(3)), lattice_mm(row.real(4))};
+  i.eye_up_m = row.real(5);
+  i.bottom_m = row.real(6);
+  i.top_m = row.real(7);
+  i.near_m = row.real(8);
+  i.far_m = row.real(9);
+  i.plane_m = row.real(10);
+  i.radius_m = row.real(11);
+  i.is_solid = row.integer(12) != 0;
+  const auto width = row.integer(13), height = row.integer(14);
+  constexpr std::int64_t kMost_px = 1 << 14;
+  if (width < 1 || width > kMost_px || height < 1 || height > kMost_px)
+    row.database().throw_damaged("an impostor of " + std::to_string(width) + " x " + std::to_string(height) + " px");
+  i.width_px = static_cast<std::uint32_t>(width);
+  i.height_px = static_cast<std::uint32_t>(height);
+}
+
+PlanBox box_of_record(const GateImpostor& i) {
+  PlanBox box;
+  box.add(i.left);
+  box.add(i.right);
+  return box;
+}
+
 }  // namespace vicus

@@ -234,6 +234,23 @@ const std::vector<Table>& tables() {
         {"reason", "TEXT NOT NULL"},
         {"is_proven", "BOOLEAN NOT NULL"},
         {"building_ids", "TEXT NOT NULL"}}},
+      {"impostor",
+       "LINESTRING",
+       "pictures of what lies beyond gates, from left to right seen from sector_id",
+       {{"gate_id", "TEXT NOT NULL UNIQUE"},
+        {"sector_id", "TEXT NOT NULL"},
+        {"eye_east_m", "DOUBLE NOT NULL"},
+        {"eye_north_m", "DOUBLE NOT NULL"},
+        {"eye_up_m", "DOUBLE NOT NULL"},
+        {"bottom_m", "DOUBLE NOT NULL"},
+        {"top_m", "DOUBLE NOT NULL"},
+        {"near_m", "DOUBLE NOT NULL"},
+        {"far_m", "DOUBLE NOT NULL"},
+        {"plane_m", "DOUBLE NOT NULL"},
+        {"radius_m", "DOUBLE NOT NULL"},
+        {"is_solid", "BOOLEAN NOT NULL"},
+        {"width_px", "INTEGER NOT NULL"},
+        {"height_px", "INTEGER NOT NULL"}}},
       {"terrain",
        nullptr,
        "heights of the ground on a grid",
@@ -322,7 +339,7 @@ void finish_schema(Database& db, const std::vector<PlanBox>& extents) {
       "CREATE INDEX building_sector ON building(sector_id); CREATE INDEX object_sector ON object(sector_id);"
       "CREATE INDEX viewpoint_sector ON viewpoint(sector_id); CREATE INDEX visible_sector ON visible(sector_id);"
       "CREATE INDEX facade_sector ON facade(sector_id); CREATE INDEX surface_sector ON surface(sector_id);"
-      "CREATE INDEX ride_sector ON ride(sector_id)");
+      "CREATE INDEX ride_sector ON ride(sector_id); CREATE INDEX impostor_sector ON impostor(sector_id)");
   auto contents = db.prepare("INSERT INTO gpkg_contents VALUES (?1, ?2, ?1, ?3, ?4, ?5, ?6, ?7, ?8, ?9)");
   auto geometry = db.prepare("INSERT INTO gpkg_geometry_columns VALUES (?1, ?2, ?3, ?4, 0, 0)");
   auto extension = db.prepare(

@@ -15,11 +15,16 @@
 #include "cli/tiles.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/geo/map_name.hpp"
+#include "sectorgen/impostors/bake_impostor.hpp"
 #include "sectorgen/models/author_models.hpp"
+#include "sectorgen/render/city_mesh.hpp"
 #include "x3d_export/package.hpp"
 
 namespace vicus::cli {
 namespace {
+
+/// With more sectors pictures beyond gates are made on request only: a gate takes about 0.035 CPU s.
+constexpr std::size_t kSectorsWithImpostors = 1500;
 
 struct Arguments {
   std::vector<std::string> inputs;
@@ -29,7 +34,7 @@ struct Arguments {
   bool strict = false;
   bool fresh_ids = false;
   bool no_tiles = false;
-  std::string over_roofs = "auto";
+  std::string over_roofs = "auto", impostors = "auto";
 };
 
 /// Whole map to sectors, with what each stage cost so far: how the time left is guessed.
@@ -38,9 +43,9 @@ struct Progress {
   explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
-    static const std::map<std::string, double> kDone = {{"read", 0},       {"normalise", 0.1}, {"sectors", 0.2},
-                                                        {"records", 0.25}, {"models", 0.27},   {"visibility", 0.3},
-                                                        {"tiles", 0.8},    {"export", 0.85}};
+    static const std::map<std::string, double> kDone = {
+        {"read", 0},         {"normalise", 0.1}, {"sectors", 0.2}, {"records", 0.25}, {"models", 0.27}, {"ground", 0.29},
+        {"visibility", 0.3}, {"impostors", 0.5}, {"tiles", 0.8},   {"export", 0.85}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)
@@ -117,6 +122,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
   if (arguments.over_roofs != "auto") options["over_roofs"] = arguments.over_roofs;
+  if (arguments.impostors != "auto") options["impostors"] = arguments.impostors;
   if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
   if (!arguments.photos.empty()) options["photos"] = std::filesystem::path(arguments.photos).filename().string();
   if (!arguments.models.empty()) options["models"] = std::filesystem::path(arguments.models).filename().string();
@@ -169,6 +175,22 @@ std::string report_text(const City& city, const BuildReport& report, const std::
   return out.str();
 }
 
+bool wants_impostors(const Arguments& arguments, const City& city) {
+  if (arguments.impostors == "auto") return city.sectors.size() <= kSectorsWithImpostors;
+  return arguments.impostors == "yes";
+}
+
+/// Facades as they are seen from some distance: one image each.
+void add_impostors(const Arguments& arguments, City& city) {
+  const CityIndex index(city);
+  CityMeshOptions mesh;
+  mesh.level = 3;
+  const RayScene scene(city_mesh(index, textures_of(city), mesh));
+  ImpostorOptions options;
+  options.threads = arguments.threads;
+  city.impostors = bake_impostors(index, scene, options);
+}
+
 void run(const Arguments& arguments, Context& context) {
   const std::optional<City> previous = previous_city(arguments, context);
   const Progress progress(context);
@@ -198,6 +220,11 @@ void run(const Arguments& arguments, Context& context) {
   if (!arguments.no_tiles) {
     clock.begin("tiles");
     tiles = bake_tiles(city, arguments.output, arguments.threads);
+    clock.end();
+  }
+  if (wants_impostors(arguments, city)) {
+    clock.begin("impostors");
+    add_impostors(arguments, city);
   }
   clock.begin("export");
   PackageOptions package;
@@ -253,6 +280,11 @@ void add_build(CLI::App& app, Context& context) {
       ->add_option("--over-roofs", arguments->over_roofs,
                    "list houses seen above nearer roofs: yes, no, auto (yes up to " +
                        std::to_string(kSectorsOverRoofs) + " sectors: it takes about 0.05 to 0.5 CPU s a sector)")
+      ->check(CLI::IsMember({"auto", "yes", "no"}));
+  command
+      ->add_option("--impostors", arguments->impostors,
+                   "pictures shown in gates until what lies behind has come: yes, no, auto (yes up to " +
+                       std::to_string(kSectorsWithImpostors) + " sectors)")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
   command->add_flag("--no-tiles", arguments->no_tiles,

@@ -14,6 +14,7 @@
 #include "httpd/static_files.hpp"
 #include "x3d_export/glb.hpp"
 #include "x3d_export/house_shell.hpp"
+#include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -49,12 +50,16 @@ void write_file(const fs::path& path, std::string_view bytes, Written& written) 
   written.bytes += bytes.size();
 }
 
-/// Sector ids become file names; a city file from elsewhere may hold anything.
+/// Ids of sectors and gates become file names; a city file from elsewhere may hold anything.
 void require_plain_ids(const City& city) {
-  for (const auto& s : city.sectors)
-    if (s.id.empty() ||
-        !std::all_of(s.id.begin(), s.id.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
-      throw CityError("sector id '" + s.id + "' cannot be a file's name: expected letters, digits, '-' and '_'");
+  const auto require = [](const char* what, const std::string& id) {
+    if (id.empty() ||
+        !std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
+      throw CityError(std::string(what) + " id '" + id +
+                      "' cannot be a file's name: expected letters, digits, '-' and '_'");
+  };
+  for (const auto& s : city.sectors) require("sector", s.id);
+  for (const auto& i : city.impostors) require("gate", i.gate_id);
 }
 
 void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat format, bool is_site, Written& written) {
@@ -73,8 +78,7 @@ void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat f
   }
 }
 
-std::string stored_texture(const CityReader& reader, const fs::path& city_file, const std::string& id) {
-  const std::string path = "textures/" + id + ".png";
+std::string stored_image(const CityReader& reader, const fs::path& city_file, const std::string& path) {
   auto image = reader.artefact(path, {"identity"});
   if (!image) throw CityError(city_file.string() + " lacks " + path + ": build the city again");
   return std::move(image->body);
@@ -87,7 +91,12 @@ void write_textures(const City& city, const fs::path& city_file, const fs::path&
   for (const auto& facade : city.facades) ids.insert(facade.texture);
   if (const auto atlas = city.meta.find("atlas"); atlas != city.meta.end()) ids.insert(atlas->second);
   for (const auto& id : ids)
-    write_file(folder / "textures" / (id + ".png"), stored_texture(reader, city_file, id), written);
+    write_file(folder / "textures" / (id + ".png"), stored_image(reader, city_file, "textures/" + id + ".png"),
+               written);
+  for (const auto& impostor : city.impostors) {
+    const std::string path = impostor_path(impostor.gate_id);
+    write_file(folder / path, stored_image(reader, city_file, path), written);
+  }
 }
 
 /// Sectors as binary glTF; as 3D Tiles with their far files and the tree over all.
@@ -97,7 +106,7 @@ void write_glb(const CityIndex& index, const fs::path& city_file, const fs::path
   std::map<std::string, std::string> images;
   const auto image = [&](const std::string& id) {
     if (const auto known = images.find(id); known != images.end()) return known->second;
-    return images[id] = stored_texture(reader, city_file, id);
+    return images[id] = stored_image(reader, city_file, "textures/" + id + ".png");
   };
   for (const auto& sector : index.city().sectors) {
     const std::string stem = "sectors/" + sector.id;

@@ -19,7 +19,7 @@ namespace vicus::cli {
 namespace {
 
 struct Arguments {
-  std::filesystem::path city, x_ite;
+  std::filesystem::path city, x_ite, impostors;
   ServeOptions options;
 };
 
@@ -80,7 +80,7 @@ void serve(const Arguments& arguments, Context& context) {
     log->warn(
         "X_ITE was not found: the page cannot show the city. Run `npm install x_ite`, then give "
         "--x_ite node_modules/x_ite");
-  const auto files = std::make_shared<const StaticFiles>(x_ite);
+  const auto files = std::make_shared<const StaticFiles>(x_ite, arguments.impostors);
   const auto metrics = std::make_shared<Metrics>();
   const auto tiles =
       std::make_shared<MadeTiles>([path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
@@ -114,6 +114,8 @@ void add_serve(CLI::App& app, Context& context) {
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   command->add_option("--x_ite", arguments->x_ite, "the folder of X_ITE: node_modules/x_ite");
+  command->add_option("--impostors", arguments->impostors,
+                      "a folder of pictures GATE.png to show in gates instead of those of the city: photographs");
   command->callback([&context, arguments] { serve(*arguments, context); });
 }
 

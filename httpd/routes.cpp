@@ -137,6 +137,9 @@ HttpResponse Routes::route(const HttpRequest& request) {
   if (path.starts_with("/blockmaps/")) return with_route("blockmap", answer_tile(request, path.substr(1)));
   if (path == "/conformance" || path == "/collections" || path.starts_with("/collections/"))
     return with_route("collections", answer_collections(request, *url, city));
+  if (path.starts_with("/impostors/"))
+    if (const auto* picture = files_->impostor(path.substr(11)))
+      return with_route("artefact", answer_file(request, *picture, Caching::revalidate));
   if (auto artefact = answer_artefact(request, city, path.substr(1)))
     return with_route("artefact", *std::move(artefact));
   return problem(404, "There is nothing at " + path + ". The page is at /, the records are at /collections.");

@@ -21,7 +21,7 @@ constexpr int kBrotliQuality = 9, kGzipLevel = 9;
 std::string read_bytes(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) throw CityError("cannot read " + path.string() + ": is X_ITE still installed there?");
+  if (!in) throw CityError("cannot read " + path.string() + ": is it still there?");
   return bytes;
 }
 
@@ -62,7 +62,8 @@ StaticFile::Representation StaticFile::in_coding(const std::string& coding) cons
   return made_.emplace(coding, Representation{etag_of(hash_, coding), std::move(coded)}).first->second;
 }
 
-StaticFiles::StaticFiles(const fs::path& x_ite) {
+StaticFiles::StaticFiles(const fs::path& x_ite, const fs::path& impostors) {
+  if (!impostors.empty()) add_impostors(impostors);
   for (const auto& file : embedded_client_files())
     client_.try_emplace(std::string(file.path), std::string(media_type_of_file(file.path)), file.bytes);
   if (x_ite.empty()) return;
@@ -75,6 +76,21 @@ StaticFiles::StaticFiles(const fs::path& x_ite) {
     const auto media_type = media_type_of_file(path);
     if (!media_type.empty()) x_ite_.try_emplace(path, std::string(media_type), entry.path());
   }
+}
+
+void StaticFiles::add_impostors(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file(error) && entry.path().extension() == ".png")
+      impostors_.try_emplace(entry.path().filename().string(), "image/png", entry.path());
+  if (error || impostors_.empty())
+    throw CityError("no pictures in " + folder.string() +
+                    ": expected files GATE.png there, named after the gates' ids");
+}
+
+const StaticFile* StaticFiles::impostor(const std::string& path) const {
+  const auto found = impostors_.find(path);
+  return found == impostors_.end() ? nullptr : &found->second;
 }
 
 const StaticFile* StaticFiles::client(const std::string& path) const {

@@ -41,17 +41,21 @@ class StaticFile {
 class StaticFiles {
  public:
   /// `x_ite`: its dist folder, or the package folder above it, or empty: served without X_ITE.
-  /// Fails   CityError: the folder holds no X_ITE.
-  explicit StaticFiles(const std::filesystem::path& x_ite);
+  /// `impostors`: a folder of pictures GATE.png that stand for those of the city (photographs, paper 004 §4.1.7), or
+  /// empty. What is in it is looked up once, here.
+  /// Fails   CityError: the folder holds no X_ITE; no picture.
+  explicit StaticFiles(const std::filesystem::path& x_ite, const std::filesystem::path& impostors = {});
 
-  const StaticFile* client(const std::string& path) const;  ///< path below /client/, e.g. "page/index.html"
-  const StaticFile* x_ite(const std::string& path) const;   ///< path below /x_ite/VERSION/, e.g. "dist/x_ite.css"
+  const StaticFile* client(const std::string& path) const;    ///< path below /client/, e.g. "page/index.html"
+  const StaticFile* x_ite(const std::string& path) const;     ///< path below /x_ite/VERSION/, e.g. "dist/x_ite.css"
+  const StaticFile* impostor(const std::string& path) const;  ///< path below /impostors/
   const std::string& x_ite_version() const { return x_ite_version_; }  ///< empty: there is no X_ITE
   /// Makes the codings of the one large file every visitor needs, so that the first need not wait.
   void warm() const;
 
  private:
-  std::map<std::string, StaticFile, std::less<>> client_, x_ite_;
+  void add_impostors(const std::filesystem::path& folder);
+  std::map<std::string, StaticFile, std::less<>> client_, x_ite_, impostors_;
   std::string x_ite_version_;
 };
 

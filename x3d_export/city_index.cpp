@@ -64,6 +64,7 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
   for (const auto& r : city.rides) rides_of_[r.sector_id].push_back(&r);
   for (const auto& p : city.prototypes) prototypes_.emplace(p.kind, &p);
   for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
+  for (const auto& i : city.impostors) impostors_of_[i.sector_id].push_back(&i);
   for (const auto& v : city.visible) {
     visible_from_[v.sector_id].push_back(&v);
     if (!v.building_ids.empty())
@@ -113,6 +114,9 @@ const std::vector<const Viewpoint*>& CityIndex::viewpoints_of(const std::string&
 const std::vector<const Visible*>& CityIndex::visible_from(const std::string& id) const {
   return find_list(visible_from_, id);
 }
+const std::vector<const GateImpostor*>& CityIndex::impostors_of(const std::string& id) const {
+  return find_list(impostors_of_, id);
+}
 const std::set<std::string>& CityIndex::tall_houses_of(const std::string& id) const {
   static const std::set<std::string> kNone;
   const auto at = tall_houses_of_.find(id);
@@ -129,6 +133,7 @@ RecordSource source_of(const CityIndex& index) {
   source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
   source.objects_of = [&index](const std::string& id) { return copies(index.objects_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
+  source.impostors_of = [&index](const std::string& id) { return copies(index.impostors_of(id)); };
   source.houses_in = [&index](const PlanBox& box) {
     std::vector<Building> houses;
     for (const auto& house : index.city().buildings)

@@ -23,6 +23,7 @@ struct RecordSource {
   std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
   std::function<std::vector<StandaloneObject>(const std::string& sector_id)> objects_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
+  std::function<std::vector<GateImpostor>(const std::string& sector_id)> impostors_of;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
   std::function<std::vector<std::string>()> sector_ids;
   std::function<std::string(const std::string& key)> meta;  ///< empty where there is none
@@ -47,6 +48,7 @@ class CityIndex {
   const Prototype* prototype(const std::string& kind) const;  ///< an author's model of a kind; nullptr: ours
   const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
   const std::vector<const Visible*>& visible_from(const std::string& sector_id) const;
+  const std::vector<const GateImpostor*>& impostors_of(const std::string& sector_id) const;
   /// Ids of the houses of the sector that some other sector sees over roofs.
   const std::set<std::string>& tall_houses_of(const std::string& sector_id) const;
 
@@ -67,6 +69,7 @@ class CityIndex {
   std::map<std::string, const Prototype*> prototypes_;
   BySector<Viewpoint> viewpoints_of_;
   BySector<Visible> visible_from_;
+  BySector<GateImpostor> impostors_of_;
   std::map<std::string, std::set<std::string>> tall_houses_of_;
 };
 

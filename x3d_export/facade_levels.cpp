@@ -1,6 +1,7 @@
 #include "x3d_export/facade_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "x3d_export/colours.hpp"
 #include "x3d_export/wall_frame.hpp"
@@ -25,8 +26,8 @@ class FacadeBuilder {
     }
   }
 
-  void silhouette(LevelFaces& level) const {
-    front(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m, 0, wall_);
+  void silhouette(LevelFaces& level, Colour colour) const {
+    front(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m, 0, colour);
   }
 
   void quads(LevelFaces& level, int first_floor) const {
@@ -185,12 +186,39 @@ std::size_t LevelFaces::triangles() const {
   return count;
 }
 
+Colour opening_colour(OpeningKind kind) {
+  constexpr Colour kColours[kOpeningKinds] = {{120, 126, 130}, {130, 136, 140}, {123, 130, 136}, {121, 129, 135},
+                                              {61, 55, 48},    {71, 44, 29},    {86, 86, 79},    {71, 63, 65}};
+  return kColours[static_cast<std::size_t>(kind)];
+}
+
+Colour mean_colour(const Facade& facade, Colour wall) {
+  const double whole = length_m(facade) * (facade.top_m - facade.bottom_m);
+  if (whole <= 0) return wall;
+  double rest = whole, r = 0, g = 0, b = 0;
+  const auto add = [&](double area, Colour c) {
+    r += area * c.r;
+    g += area * c.g;
+    b += area * c.b;
+  };
+  for (const Opening& o : openings_of(facade)) {
+    const double area = (o.x1 - o.x0) * (o.z1 - o.z0);
+    add(area, opening_colour(o.kind));
+    rest -= area;
+  }
+  add(std::max(0.0, rest), wall);
+  const auto channel = [&](double sum) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(sum / whole, 0.0, 255.0)));
+  };
+  return {channel(r), channel(g), channel(b)};
+}
+
 void add_facade(const Facade& facade, Colour wall, double ground_m, PlanPoint origin, std::size_t taken,
                 LevelFaces (&levels)[4]) {
   FacadeBuilder builder(facade, wall, ground_m, origin);
   builder.sort_by_floor();
-  builder.silhouette(levels[0]);
-  builder.silhouette(levels[1]);
+  builder.silhouette(levels[0], mean_colour(facade, wall));
+  builder.silhouette(levels[1], wall);
   builder.quads(levels[1], 0);
   builder.textured(levels[2]);
   builder.doors(levels[2]);

@@ -6,7 +6,8 @@
 
 /// One facade in the four levels of detail of paper 004 §4.2 ("Urban LOD"), all from one layout of its openings.
 ///
-/// Levels  1 silhouette: the wall in its colour. 2 = 1 + quads of windows and doors in front of it, from the city's
+/// Levels  1 silhouette: the wall in the mean colour of wall and openings. 2 = 1 + quads of windows and doors in front
+/// of it, from the city's
 ///         atlas. 3 = one texture over the facade, the door before it, balconies and sills, about as many
 ///         triangles as 2. 4 = the openings
 ///         of level 2 set into the wall of 3 at their depth, with its balconies.
@@ -24,6 +25,11 @@ struct LevelFaces {
 /// Distance of level 2's quads before the wall: two steps of a 24-bit depth buffer at 200 m (near 0.1 m), so they do
 /// not flicker out to 250 m. research/HOUSES.md §7.
 inline constexpr double kQuadOffset_m = 0.05;
+
+/// Mean colour of an opening as it is painted (sectorgen/models/paint_openings).
+Colour opening_colour(OpeningKind kind);
+/// What a facade looks like from where its openings cannot be told apart: the mean of wall and openings by area.
+Colour mean_colour(const Facade& facade, Colour wall);
 
 /// Adds the facade to all four levels (levels[0] is level 1).
 /// Error   level 4 sets the openings of the lowest ten floors only; above them nobody sees the depth.

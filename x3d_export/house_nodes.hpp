@@ -12,7 +12,7 @@
 namespace vicus {
 
 /// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
-inline constexpr double kLevelRanges_m[] = {30, 90, 250};
+inline constexpr double kLevelRanges_m[] = {30, 130, 250};
 
 /// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: an opening takes some 120
 /// bytes in all levels (Montmartre), 90 of them in the fourth.

@@ -6,6 +6,7 @@
 
 #include "city_db/run_parallel.hpp"
 #include "x3d_export/coding.hpp"
+#include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
@@ -41,6 +42,8 @@ class CityArtefacts {
     for (const Texture& texture : city_.textures)
       ready_.push_back(
           {"textures/" + texture.id + ".png", "image/png", "identity", strong_hash(texture.png), texture.png});
+    for (const GateImpostor& i : city_.impostors)
+      ready_.push_back({impostor_path(i.gate_id), "image/png", "identity", strong_hash(i.png), i.png});
   }
 
   void pack_near(std::size_t i) {

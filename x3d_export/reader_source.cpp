@@ -11,6 +11,7 @@ RecordSource source_of(const CityReader& reader) {
   source.viewpoints_of = [&reader](const std::string& id) { return reader.viewpoints_of(id); };
   source.objects_of = [&reader](const std::string& id) { return reader.objects_of(id); };
   source.visible_from = [&reader](const std::string& id) { return reader.visible_from(id); };
+  source.impostors_of = [&reader](const std::string& id) { return reader.impostors_of(id); };
   source.houses_in = [&reader](const PlanBox& box) {
     return reader.buildings_in(box, std::numeric_limits<std::int32_t>::max(), 0);
   };
@@ -35,6 +36,7 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   city.prototypes = reader.prototypes();
   city.viewpoints = reader.viewpoints_of(id);
   city.visible = reader.visible_from(id);
+  city.impostors = reader.impostors_of(id);
   std::set<std::string> others, houses, facades;
   for (const auto& g : city.gates) others.insert(g.to_sector_id);
   for (const auto& v : city.visible) others.insert(v.visible_sector_id);

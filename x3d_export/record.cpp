@@ -19,6 +19,8 @@ void append_plan(std::vector<double>& values, PlanPoint p) {
   values.push_back(metres(p.y));
 }
 
+double rounded(double m) { return metres(lattice_mm(m)); }
+
 std::vector<double> values_of(PlanPoint p) { return {metres(p.x), metres(p.y)}; }
 std::vector<double> values_of(const PlanBox& b) {
   return {metres(b.min.x), metres(b.min.y), metres(b.max.x), metres(b.max.y)};
@@ -37,12 +39,29 @@ Json json_of(const std::vector<PlanPoint>& line) {
 
 Json json_or_null(const std::string& id) { return id.empty() ? Json(nullptr) : Json(clean_text(id)); }
 
-Json json_of(const Gate& g) {
-  return {{"id", clean_text(g.id)},
-          {"to", json_or_null(g.to_sector_id)},
-          {"twin", json_or_null(g.twin_id)},
-          {"kind", name_of(g.kind)},
-          {"line", json_of(g.line)}};
+/// Where it was taken from, what depths it shows, where it stands, how far around it is true.
+std::vector<double> values_of(const GateImpostor& i) {
+  return {metres(i.eye.x), metres(i.eye.y), i.eye_up_m, i.near_m, i.far_m, i.plane_m, i.radius_m};
+}
+
+Json json_of(const GateImpostor& i) {
+  return {{"url", "impostors/" + clean_text(i.gate_id) + ".png"},
+          {"eye", {metres(i.eye.x), metres(i.eye.y), rounded(i.eye_up_m)}},
+          {"near", rounded(i.near_m)},
+          {"far", rounded(i.far_m)},
+          {"plane", rounded(i.plane_m)},
+          {"radius", rounded(i.radius_m)},
+          {"solid", i.is_solid}};
+}
+
+Json json_of(const Gate& g, const std::map<std::string, GateImpostor>& impostors) {
+  Json json = {{"id", clean_text(g.id)},
+               {"to", json_or_null(g.to_sector_id)},
+               {"twin", json_or_null(g.twin_id)},
+               {"kind", name_of(g.kind)},
+               {"line", json_of(g.line)}};
+  if (const auto at = impostors.find(g.id); at != impostors.end()) json["impostor"] = json_of(at->second);
+  return json;
 }
 
 Json json_of(const Viewpoint& v) {
@@ -69,11 +88,13 @@ Node counts(const std::string& name, std::vector<std::int32_t> values) {
   return metadata("MetadataInteger", name, std::move(values));
 }
 
-Node gate_node(const Gate& gate) {
+Node gate_node(const Gate& gate, const std::map<std::string, GateImpostor>& impostors) {
   Node node("MetadataSet");
   node.set("name", "gate").add("value", texts("id", {gate.id}));
   if (!gate.to_sector_id.empty()) node.add("value", texts("to", {gate.to_sector_id}));
   node.add("value", texts("kind", {name_of(gate.kind)})).add("value", numbers("line", values_of(gate.line)));
+  if (const auto at = impostors.find(gate.id); at != impostors.end())
+    node.add("value", numbers("impostor", values_of(at->second)));
   return node;
 }
 
@@ -94,8 +115,12 @@ void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) 
 }  // namespace
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
-  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {},
+  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}, {},
                       {}};
+  for (auto& impostor : source.impostors_of(sector.id)) {
+    impostor.png.clear();
+    record.impostors.emplace(impostor.gate_id, std::move(impostor));
+  }
   std::set<std::string> behind;
   for (const auto& g : record.gates)
     if (!g.to_sector_id.empty()) behind.insert(g.to_sector_id);
@@ -128,7 +153,7 @@ std::string record_json(const SectorRecord& record) {
   for (const auto& name : s.names) names.push_back(clean_text(name));
   ground.push_back(json_of(s.ground.outer));
   for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
-  for (const auto& g : record.gates) gates.push_back(json_of(g));
+  for (const auto& g : record.gates) gates.push_back(json_of(g, record.impostors));
   for (const auto& n : record.neighbours)
     neighbours.push_back({{"id", n.id}, {"origin", values_of(n.origin)}, {"box", values_of(n.box)}});
   for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
@@ -187,7 +212,7 @@ Node record_node(const SectorRecord& record) {
   for (const auto& b : record.bodies)
     for (const double v : values_of(b)) bodies.push_back(v);
   if (!bodies.empty()) node.add("value", numbers("bodies", std::move(bodies)));
-  for (const auto& g : record.gates) node.add("value", gate_node(g));
+  for (const auto& g : record.gates) node.add("value", gate_node(g, record.impostors));
   if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));

@@ -35,9 +35,10 @@ struct SectorRecord {
   PlanBox box;
   int shapes = 0;  ///< Shape nodes in the near file and its parts
   std::vector<Gate> gates;
-  std::vector<SectorNeighbour> neighbours;       ///< every sector a gate leads to and every visible one, by id
-  std::vector<std::string> visible;              ///< L_vis by id, with what none lacks: itself and its gate neighbours
-  std::map<std::string, VisibleReason> reasons;  ///< of each in `visible`
+  std::map<std::string, GateImpostor> impostors;  ///< by gate, without their pictures
+  std::vector<SectorNeighbour> neighbours;        ///< every sector a gate leads to and every visible one, by id
+  std::vector<std::string> visible;               ///< L_vis by id, with what none lacks: itself and its gate neighbours
+  std::map<std::string, VisibleReason> reasons;   ///< of each in `visible`
   std::vector<std::string> over_roofs, unresolved;  ///< of `visible`: seen only above roofs; of these: not proven
   std::vector<Viewpoint> viewpoints;
   std::vector<Body> bodies;       ///< of the sector's objects, in their order

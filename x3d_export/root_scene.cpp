@@ -6,12 +6,13 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include "city_db/boxes.hpp"
-#include "x3d_export/colours.hpp"
 #include "x3d_export/frames.hpp"
 #include "x3d_export/record.hpp"
 #include "x3d_export/sector_scene.hpp"
+#include "x3d_export/surroundings.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -155,7 +156,7 @@ std::vector<Node> viewpoint_nodes(const RecordSource& source, const Sector& star
   return nodes;
 }
 
-std::vector<double> colours(std::initializer_list<Colour> list) {
+std::vector<double> colours(std::span<const Colour> list) {
   std::vector<double> values;
   for (const auto& c : list)
     for (const auto channel : {c.r, c.g, c.b}) values.push_back(channel / 255.0);
@@ -164,20 +165,21 @@ std::vector<double> colours(std::initializer_list<Colour> list) {
 
 /// Sky, light and the way a visitor moves.
 std::vector<Node> surroundings() {
-  Node navigation("NavigationInfo"), sky("Background"), sun("DirectionalLight"), sky_light("DirectionalLight"),
-      street_light("DirectionalLight");
+  Node navigation("NavigationInfo"), sky("Background");
   navigation.set("avatarSize", std::vector<double>(std::begin(kAvatar_m), std::end(kAvatar_m)));
   navigation.set("headlight", false).set("speed", kWalk_m_per_s);
   navigation.set("type", std::vector<std::string>{"WALK", "ANY"});
-  sky.set("skyAngle", std::vector<double>{0.9, 1.57})
-      .set("skyColor", colours({{92, 141, 196}, {150, 186, 220}, kSkyColour}));
-  sky.set("groundAngle", std::vector<double>{1.3, 1.57});
-  sky.set("groundColor", colours({{120, 118, 112}, {150, 150, 146}, kSkyColour}));
-  // A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
-  sun.set("direction", std::vector<double>{0.6, -0.5, -0.5}).set("intensity", 1.0);
-  sky_light.set("direction", std::vector<double>{0.12, -0.3, 0.75}).set("intensity", 0.75);
-  street_light.set("direction", std::vector<double>{-0.6, 0.45, -0.25}).set("intensity", 0.65);
-  return {navigation, sky, sun, sky_light, street_light};
+  sky.set("skyAngle", std::vector<double>(std::begin(kSkyAngles), std::end(kSkyAngles)))
+      .set("skyColor", colours(kSkyColours));
+  sky.set("groundAngle", std::vector<double>(std::begin(kGroundAngles), std::end(kGroundAngles)))
+      .set("groundColor", colours(kGroundColours));
+  std::vector<Node> nodes{navigation, sky};
+  for (const SunLight& light : kLights) {
+    Node node("DirectionalLight");
+    node.set("direction", std::vector<double>(std::begin(light.direction), std::end(light.direction)));
+    nodes.push_back(node.set("intensity", light.intensity));
+  }
+  return nodes;
 }
 
 ScriptField field(const char* name, FieldType type, FieldValue value) {

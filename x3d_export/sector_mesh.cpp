@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
+#include "x3d_export/facade_levels.hpp"
 #include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
@@ -85,19 +87,48 @@ void add_walls_without_levels(FaceList& faces, const Border& border, const Build
   }
 }
 
+/// The mean colour of each house's facades in the sector, for walls seen from afar; houses without openings are left
+/// out.
+std::map<std::string, Colour> colours_from_afar(const CityIndex& index, const Sector& sector) {
+  struct Sum {
+    double length = 0, r = 0, g = 0, b = 0;
+  };
+  std::map<std::string, Sum> sums;
+  for (const Facade* f : index.facades_of(sector.id)) {
+    const Building* house = index.building(f->building_id);
+    if (!house) continue;
+    const Colour c = mean_colour(*f, house->wall_colour);
+    const double length = length_m(*f);
+    Sum& sum = sums[house->id];
+    sum.length += length;
+    sum.r += length * c.r;
+    sum.g += length * c.g;
+    sum.b += length * c.b;
+  }
+  std::map<std::string, Colour> colours;
+  for (const auto& [id, sum] : sums) {
+    const auto channel = [&](double v) { return static_cast<std::uint8_t>(std::lround(v / sum.length)); };
+    if (sum.length > 0) colours.emplace(id, Colour{channel(sum.r), channel(sum.g), channel(sum.b)});
+  }
+  return colours;
+}
+
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
 void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   const LeveledStretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : LeveledStretches();
+  const auto from_afar = detail == Detail::near ? std::map<std::string, Colour>() : colours_from_afar(index, sector);
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
     if (!house || house->base_m > 0 || !is_drawn(*house, detail, index, sector)) continue;
     faces.set_lift(house->ground_m);
+    const auto mean = from_afar.find(house->id);
     if (detail == Detail::near)
       add_walls_without_levels(faces, *border, *house, levels);
     else
-      add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house), house->wall_colour);
+      add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house),
+                mean == from_afar.end() ? house->wall_colour : mean->second);
   }
 }
 

@@ -6,14 +6,14 @@
 #include <sstream>
 
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
+#include "x3d_export/surroundings.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
 namespace {
 
-/// rad, up and down: in a narrow street one sees the eaves and the ground at once.
-constexpr double kFieldOfView = 0.95;
 constexpr int kMostParts = 1000, kMostShapes = 100'000;  // as wide as such numbers are written
 
 struct SectorParts {
@@ -154,6 +154,10 @@ std::vector<Route> routes_within(const std::vector<Route>& routes, const std::ve
 std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<Layer>& layers, std::size_t limit,
                                   std::vector<Route>& routes) {
   std::vector<SizedNode> nodes;
+  // First, so that they are in the main file, where a loader looks for them.
+  if (parts.detail == Detail::near && parts.format != SceneFormat::vrml)
+    for (Node& impostor : impostor_nodes(parts.index, parts.sector))
+      nodes.push_back(sized(std::move(impostor), parts.format));
   for (const Layer& layer : layers)
     for (auto& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)

@@ -1,10 +1,12 @@
+import { GateImpostors } from './GateImpostors.js';
 import { SectorPlanner } from './SectorPlanner.js';
 import { idOf, levelOf } from './sectorRecord.js';
 
 /**
  * The loop of paper 004 §5: watches the visitor, does what the planner says, hears what became of it.
  *
- * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem), links(stem).
+ * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem), links(stem);
+ *         setImpostor(stem, gateId, opacity) where files have pictures in their gates.
  * Fails   never: a sector that cannot be had is reported to `complain` and asked for again later.
  */
 export class SectorLoader {
@@ -13,6 +15,8 @@ export class SectorLoader {
         this.sectors = sectors;
         this.complain = complain;
         this.loading = new Set();
+        this.impostors = new GateImpostors((stem, gate, opacity) => this.sectors.setImpostor?.(stem, gate, opacity));
+        this.isFading = false;
     }
 
     /** One frame. `position` in plan metres or null, `now` in seconds, `visitor` as in plan(). Returns the planner's plan. */
@@ -27,6 +31,8 @@ export class SectorLoader {
             this.loading.add(stem);
             this.sectors.show(stem, this.planner.sectors.get(idOf(stem)).origin);
         }
+        const { states, sectors } = this.planner;
+        this.isFading = this.impostors.step(now, sectors, stem => states.get(stem)?.phase === 'live');
         return plan;
     }
 

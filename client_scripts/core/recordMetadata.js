@@ -1,6 +1,8 @@
 /**
  * A sector's record out of its file's metadata (client_scripts/README.md), in the shape of /sectors/ID.json.
  *
+ * A gate's impostor is seven numbers there: eye (east, north, up), near, far, plane, radius.
+ *
  * Needs   a tree of { name, value }: a set's values are { name, value } again, a leaf's are texts or numbers.
  * Fails   Error: a ground whose counts do not add up, neighbours that lack an origin or a box.
  */
@@ -9,12 +11,12 @@ export function recordFromMetadata(set) {
     record.ground = ringsOf(record.id, record.ground ?? [], record.ground_counts ?? []);
     delete record.ground_counts;
     record.bodies = tuples(record.bodies ?? [], 3);
-    record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2) }));
+    record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2), ...impostorOf(gate) }));
     record.neighbours = neighboursOf(record);
     return record;
 }
 
-const kLists = ['names', 'visible', 'over_roofs', 'important', 'origin', 'box', 'ground', 'ground_counts', 'line', 'bodies',
+const kLists = ['names', 'visible', 'over_roofs', 'important', 'origin', 'box', 'ground', 'ground_counts', 'line', 'impostor', 'bodies',
     'neighbour_ids', 'neighbour_origins', 'neighbour_boxes'];
 
 function isSet(item) {
@@ -33,6 +35,12 @@ function leavesOf(set) {
 
 function setsOf(set, name) {
     return Array.from(set.value).filter(item => item.name === name && isSet(item)).map(leavesOf);
+}
+
+function impostorOf({ id, impostor }) {
+    if (!impostor) return {};
+    const [east, north, up, near, far, plane, radius] = impostor;
+    return { impostor: { url: `impostors/${id}.png`, eye: [east, north, up], near, far, plane, radius } };
 }
 
 function tuples(flat, size) {

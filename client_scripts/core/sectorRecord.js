@@ -46,7 +46,8 @@ export function sectorFromNeighbour(record) {
 function gateFromRecord(gate, sectorId) {
     if (!Array.isArray(gate.line) || gate.line.length < 2)
         throw new Error(`sector ${sectorId}: gate ${gate.id} has no line`);
-    return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', line: gate.line.map(latticePoint) };
+    return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', hasImpostor: Boolean(gate.impostor),
+        line: gate.line.map(latticePoint) };
 }
 
 function bodyFromRecord([east, north, radius]) {

@@ -9,7 +9,8 @@ const kNew = 0.2;
  * Shows and hides sectors' files for the page: fetches them, so that a request can be given up and its bytes counted, and
  * puts at most one into the world per frame. The Script's counterpart is x3d/InlineSectors.
  *
- * Needs   `stage` (XIteAdapter): place(origin), makeScene(text), fill(place, scene), empty(place), recordOf(scene).
+ * Needs   `stage` (XIteAdapter): place(origin), makeScene(text), fill(place, scene), empty(place), recordOf(scene),
+ * setImpostor(scene, gateId, opacity).
  */
 export class FetchedSectors {
     constructor(stage, base, { request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
@@ -82,6 +83,11 @@ export class FetchedSectors {
         const { record } = this.files.get(stem);
         if (!record) throw new Error(`sector ${stem}: its file carries no RECORD that can be read`);
         return record;
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    setImpostor(stem, gate, opacity) {
+        this.stage.setImpostor(this.files.get(stem).scene, gate, opacity);
     }
 
     links(stem) {

@@ -1,3 +1,4 @@
+import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
 
@@ -79,6 +80,11 @@ export class XIteAdapter {
         } catch {
             return null;
         }
+    }
+
+    /** How much the picture in a gate shows, 0 ... 1. */
+    setImpostor(scene, gate, opacity) {
+        fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
     }
 
     /** [{ name, east, north, heading }] in a sector's scene, `origin` its place in plan. */

@@ -1,3 +1,4 @@
+import { fadeImpostor } from '../core/GateImpostors.js';
 import { loadPhase } from '../core/loadPhase.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 
@@ -48,6 +49,12 @@ export class InlineSectors {
         } catch {
             return null;
         }
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    setImpostor(stem, gate, opacity) {
+        const scene = this.inlines.get(stem).getValue().getInternalScene();
+        fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
     }
 
     makeAlarm(seconds) {

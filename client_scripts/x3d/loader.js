@@ -54,7 +54,7 @@ function prepareEvents() {
     const now = Date.now() / 1000, plan = loader.step(visitor, now, { heading, memoryShare: memoryShare() });
     if (plan.changed) sector_changed = plan.current;
     if (level_changed !== String(plan.level)) level_changed = String(plan.level);
-    setAlarm(Math.max(plan.wakeAt, now + kRing));
+    setAlarm(Math.max(loader.isFading ? now : plan.wakeAt, now + kRing));
 }
 
 /** Of what the browser allows its scripts; 0 where it does not tell. */

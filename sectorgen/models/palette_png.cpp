@@ -19,6 +19,7 @@ using Bytes = std::vector<unsigned char>;
 struct Indexed {
   int width = 0, height = 0;
   Bytes palette;  // r, g, b
+  Bytes opacity;  // one byte each colour, without those at the end that are opaque
   Bytes pixels;   // one byte each
   int colours() const { return static_cast<int>(palette.size() / 3); }
 };
@@ -30,27 +31,29 @@ struct Destroyer {
 template <class T, void (*Destroy)(T*)>
 using Handle = std::unique_ptr<T, Destroyer<T, Destroy>>;
 
-Indexed quantised(const Canvas& picture, int colours) {
+Indexed quantised(std::span<const unsigned char> rgba, int width, int height, int colours) {
   const auto check = [](bool is_fine) {
     if (!is_fine) throw CityError("an image could not be given a palette: out of memory");
   };
-  const Bytes rgba = picture.rgba();
   const Handle<liq_attr, liq_attr_destroy> attributes(liq_attr_create());
   check(attributes != nullptr);
   liq_set_max_colors(attributes.get(), colours);
   liq_set_speed(attributes.get(), 8);
   const Handle<liq_image, liq_image_destroy> image(
-      liq_image_create_rgba(attributes.get(), rgba.data(), picture.width(), picture.height(), 0));
+      liq_image_create_rgba(attributes.get(), rgba.data(), width, height, 0));
   check(image != nullptr);
   liq_result* raw = nullptr;
   check(liq_image_quantize(image.get(), attributes.get(), &raw) == LIQ_OK);
   const Handle<liq_result, liq_result_destroy> result(raw);
   liq_set_dithering_level(result.get(), 0);  // noise costs bytes and shows less than steps at this size
-  Indexed out{picture.width(), picture.height(), {}, Bytes(rgba.size() / 4)};
+  Indexed out{width, height, {}, {}, Bytes(rgba.size() / 4)};
   check(liq_write_remapped_image(result.get(), image.get(), out.pixels.data(), out.pixels.size()) == LIQ_OK);
   const liq_palette* palette = liq_get_palette(result.get());
-  for (unsigned i = 0; i < palette->count; ++i)
+  for (unsigned i = 0; i < palette->count; ++i) {
     out.palette.insert(out.palette.end(), {palette->entries[i].r, palette->entries[i].g, palette->entries[i].b});
+    out.opacity.push_back(palette->entries[i].a);
+  }
+  while (!out.opacity.empty() && out.opacity.back() == 255) out.opacity.pop_back();
   return out;
 }
 
@@ -98,8 +101,13 @@ Bytes deflated(const Bytes& data) {
 }  // namespace
 
 std::string palette_png(const Canvas& picture, int colours) {
+  return palette_png(picture.rgba(), picture.width(), picture.height(), colours);
+}
+
+std::string palette_png(std::span<const unsigned char> rgba, int width, int height, int colours) {
   assert(colours >= 2 && colours <= 256);
-  const Indexed image = quantised(picture, colours);
+  assert(rgba.size() == 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const Indexed image = quantised(rgba, width, height, colours);
   const int count = image.colours(), bits = count <= 2 ? 1 : count <= 4 ? 2 : count <= 16 ? 4 : 8;
   Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
   append_number(header, static_cast<std::uint32_t>(image.width));
@@ -107,6 +115,7 @@ std::string palette_png(const Canvas& picture, int colours) {
   header.insert(header.end(), {static_cast<unsigned char>(bits), 3, 0, 0, 0});  // palette, deflate, not interlaced
   append_chunk(out, "IHDR", header);
   append_chunk(out, "PLTE", image.palette);
+  if (!image.opacity.empty()) append_chunk(out, "tRNS", image.opacity);
   append_chunk(out, "IDAT", deflated(packed_rows(image, bits)));
   append_chunk(out, "IEND", {});
   return std::string(out.begin(), out.end());

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "sectorgen/models/canvas.hpp"
@@ -9,5 +10,9 @@ namespace vicus {
 /// Fails   CityError: out of memory.
 /// Source  paper 004 §4.2 (palettes in place of true colour); PNG by the W3C's second edition.
 std::string palette_png(const Canvas& picture, int colours);
+
+/// The same of 4 bytes a pixel, top row first; the palette has opacities where some pixel has.
+/// Needs   4 * width * height bytes (assert).
+std::string palette_png(std::span<const unsigned char> rgba, int width, int height, int colours);
 
 }  // namespace vicus

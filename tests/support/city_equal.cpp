@@ -40,6 +40,10 @@ auto fields(const Viewpoint& v) {
 auto fields(const Visible& v) {
   return std::tie(v.sector_id, v.visible_sector_id, v.reason, v.is_proven, v.building_ids);
 }
+auto fields(const GateImpostor& i) {
+  return std::tie(i.gate_id, i.sector_id, i.eye, i.eye_up_m, i.left, i.right, i.bottom_m, i.top_m, i.near_m, i.far_m,
+                  i.plane_m, i.radius_m, i.is_solid, i.width_px, i.height_px);
+}
 auto fields(const Terrain& t) { return std::tie(t.corner, t.step_mm, t.columns, t.rows, t.height_mm); }
 auto fields(const Artefact& a) { return std::tie(a.path, a.media_type, a.coding, a.hash, a.body); }
 auto fields(const Issue& i) { return std::tie(i.code, i.message, i.source_id, i.at); }
@@ -63,6 +67,7 @@ bool operator==(const Ride& a, const Ride& b) { return fields(a) == fields(b); }
 bool operator==(const Prototype& a, const Prototype& b) { return fields(a) == fields(b); }
 bool operator==(const Viewpoint& a, const Viewpoint& b) { return fields(a) == fields(b); }
 bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
+bool operator==(const GateImpostor& a, const GateImpostor& b) { return fields(a) == fields(b); }
 bool operator==(const Terrain& a, const Terrain& b) { return fields(a) == fields(b); }
 bool operator==(const Artefact& a, const Artefact& b) { return fields(a) == fields(b); }
 bool operator==(const Issue& a, const Issue& b) { return fields(a) == fields(b); }
@@ -103,6 +108,7 @@ std::string difference(const City& a, const City& b) {
   compare("prototypes", a.prototypes, b.prototypes, found);
   compare("viewpoints", a.viewpoints, b.viewpoints, found);
   compare("visible", a.visible, b.visible, found);
+  compare("impostors", a.impostors, b.impostors, found);
   compare("issues", a.issues, b.issues, found);
   return found;
 }

@@ -23,6 +23,7 @@ bool operator==(const Ride& a, const Ride& b);
 bool operator==(const Prototype& a, const Prototype& b);
 bool operator==(const Viewpoint& a, const Viewpoint& b);
 bool operator==(const Visible& a, const Visible& b);
+bool operator==(const GateImpostor& a, const GateImpostor& b);
 bool operator==(const Terrain& a, const Terrain& b);
 bool operator==(const Artefact& a, const Artefact& b);
 bool operator==(const Issue& a, const Issue& b);

@@ -348,6 +348,22 @@ TEST(Routes, SayHowToGetXIteWhereThereIsNone) {
   EXPECT_NE(response.body->find("--x_ite"), std::string::npos);
 }
 
+TEST(Routes, GiveAPictureOfTheFolderInsteadOfTheCitys) {
+  const test::ServedCity served;
+  std::filesystem::create_directories(served.scratch / "photos");
+  test::write_bytes(served.scratch / "photos" / "s-main-w-to-s-cross.png", "a photograph");
+  test::write_bytes(served.scratch / "photos" / "readme.txt", "no picture");
+  const auto files = std::make_shared<const StaticFiles>("", served.scratch / "photos");
+  Routes routes(served.path(), files, std::make_shared<Metrics>());
+  const auto photo = routes.respond({"GET", "/impostors/s-main-w-to-s-cross.png", {}});
+  EXPECT_EQ(photo.status, 200);
+  EXPECT_EQ(*photo.body, "a photograph");
+  EXPECT_EQ(field_of(photo.fields, "Content-Type"), "image/png");
+  EXPECT_EQ(routes.respond({"GET", "/impostors/readme.txt", {}}).status, 404);
+  EXPECT_EQ(routes.respond({"GET", "/impostors/../routes.png", {}}).status / 100, 4);
+  EXPECT_THROW(StaticFiles("", served.scratch / "none"), CityError);
+}
+
 TEST(FindXIte, TakesThePackageOrItsDistAndRefusesAnythingElse) {
   test::ScratchDirectory scratch;
   test::write_x_ite(scratch / "node_modules/x_ite");

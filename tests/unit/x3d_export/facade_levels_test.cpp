@@ -167,5 +167,47 @@ TEST(SplitFacade, PiecesHaveTheOpeningsOfTheWhole) {
   }
 }
 
+/// What a depth buffer of 24 bits holds for a place so far ahead; browsers' near plane is half of the avatar's radius.
+std::int64_t depth_step(double ahead_m) {
+  constexpr double kNear_m = 0.125, kFar_m = 10'000;
+  const double z = kFar_m / (kFar_m - kNear_m) * (1 - kNear_m / ahead_m);
+  return std::llround(z * ((1 << 24) - 1));
+}
+
+// Where level 2 is shown its windows are at least a step of the depth buffer before the wall, from any side.
+TEST(FacadeLevels, WindowsOfLevel2DoNotFlickerAt200Metres) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    Facade f = south_front(FacadeStyle::plaster, 4, 5);
+    const double turn = 6.283 * unit(random);
+    f.a = {static_cast<std::int32_t>(12'500 * std::cos(turn)), static_cast<std::int32_t>(12'500 * std::sin(turn))};
+    const LevelFaces level = built(f).levels[1];
+    const Face& wall = level.solid.front();
+    Vec normal = area_of(wall, 4);
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (double& v : normal) v /= length;
+    const Vec foot = metres_of(wall.corners[0]);
+    // An eye 200 m away, from straight before the wall to 80 degrees aside; it looks at the house.
+    const double aside = 2.8 * (unit(random) - 0.5);
+    const Vec side{normal[2], 0, -normal[0]};
+    Vec eye{}, ahead{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      ahead[k] = -(normal[k] * std::cos(aside) + side[k] * std::sin(aside));
+      eye[k] = foot[k] - 200 * ahead[k];
+    }
+    const auto dot = [](const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    for (const TexturedFace& quad : level.atlas)
+      for (const X3dPoint& corner : quad.corners) {
+        const Vec p = metres_of(corner);
+        const Vec way{p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]},
+            to_foot{foot[0] - eye[0], foot[1] - eye[1], foot[2] - eye[2]};
+        const double share = dot(to_foot, normal) / dot(way, normal);  // of the way to the wall
+        EXPECT_GT(depth_step(share * dot(way, ahead)), depth_step(dot(way, ahead)));
+      }
+  }
+}
+
 }  // namespace
 }  // namespace vicus

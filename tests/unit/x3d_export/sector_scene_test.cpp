@@ -200,7 +200,7 @@ TEST(SectorFiles, HousesWithWindowsComeInFourLevels) {
     for (const auto& file : files) {
       EXPECT_LE(file.text.size(), kFileLimit_bytes);
       for (const auto& range : attributes_in(file.text, "LOD", "range")) {
-        EXPECT_EQ(range, "30 90 250");
+        EXPECT_EQ(range, "30 130 250");
         ++lods;
       }
       for (const auto& url : attributes_in(file.text, "ImageTexture", "url")) ++images[url];
@@ -223,11 +223,11 @@ TEST(SectorFiles, TooManyOpeningsForTheBudgetLeaveTheFourthLevelOut) {
       for (const auto& range : attributes_in(file.text, "LOD", "range")) out.insert(range);
     return out;
   };
-  EXPECT_EQ(ranges(), std::set<std::string>{"30 90 250"});
+  EXPECT_EQ(ranges(), std::set<std::string>{"30 130 250"});
   city.facades.front().floors = 150;
   city.facades.front().bays = 8;
   city.facades.front().repeats = 2;
-  EXPECT_EQ(ranges(), std::set<std::string>{"90 250"});
+  EXPECT_EQ(ranges(), std::set<std::string>{"130 250"});
 }
 
 TEST(SectorFiles, WithoutAnAtlasHousesArePlain) {
