@@ -44,8 +44,8 @@ struct Progress {
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
     static const std::map<std::string, double> kDone = {
-        {"read", 0},         {"normalise", 0.1}, {"sectors", 0.2}, {"records", 0.25}, {"models", 0.27}, {"ground", 0.29},
-        {"visibility", 0.3}, {"impostors", 0.5}, {"tiles", 0.8},   {"export", 0.85}};
+        {"read", 0},      {"normalise", 0.1},  {"sectors", 0.2},   {"records", 0.25}, {"models", 0.27},
+        {"ground", 0.29}, {"visibility", 0.3}, {"impostors", 0.5}, {"tiles", 0.8},    {"export", 0.85}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)

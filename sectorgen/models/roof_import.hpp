@@ -22,8 +22,9 @@ struct ImportedRoof {
 /// Frame   heights above the model's foot.
 /// Error   plan within 1 mm of the model, by noding; heights within kJoin_m of the face's plane, where faces that
 /// nearly
-///         meet are made to meet; where two faces pass through each other without an edge, over each piece stands the one
-///         that is higher in its middle, and corners are bent by up to half of kMostBend_m. Where something must lie at the eave that cannot, the eave is kLip_m lower.
+///         meet are made to meet; where two faces pass through each other without an edge, over each piece stands the
+///         one that is higher in its middle, and corners are bent by up to half of kMostBend_m. Where something must
+///         lie at the eave that cannot, the eave is kLip_m lower.
 /// Needs   a valid footprint.
 /// Fails   nothing, and `fault` says why: less than kLeastCover of the footprint lies below faces, two faces cross by
 ///         more than kMostBend_m, the roof comes down to the ground, or what was made is not sound.
