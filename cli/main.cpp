@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   add_info(app, context);
   add_serve(app, context);
   add_export(app, context);
+  add_tour(app, context);
   add_town(app, context);
   try {
     app.parse(argc, argv);

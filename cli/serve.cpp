@@ -10,6 +10,7 @@
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
+#include "cli/shared_guide.hpp"
 #include "httpd/routes.hpp"
 #include "httpd/serve.hpp"
 #include "httpd/static_files.hpp"
@@ -82,8 +83,9 @@ void serve(const Arguments& arguments, Context& context) {
   const auto files = std::make_shared<const StaticFiles>(x_ite);
   const auto metrics = std::make_shared<Metrics>();
   raise_descriptor_limit(arguments.options);
+  const TourDesk desk = tour_desk(std::make_shared<SharedGuide>(arguments.city));
   const auto new_responder = [&]() -> Responder {
-    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics);
+    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, desk);
     return [routes](const HttpRequest& request) { return routes->respond(request); };
   };
   HttpServer server(arguments.options, new_responder, metrics,

@@ -85,8 +85,11 @@ HttpResponse answer_x_ite(const HttpRequest& request, const StaticFiles& files, 
 }  // namespace
 
 Routes::Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files,
-               std::shared_ptr<Metrics> metrics)
-    : files_(std::move(files)), metrics_(std::move(metrics)), city_(city, [this] { metrics_->city_reopened(); }) {}
+               std::shared_ptr<Metrics> metrics, TourDesk desk)
+    : files_(std::move(files)),
+      metrics_(std::move(metrics)),
+      desk_(std::move(desk)),
+      city_(city, [this] { metrics_->city_reopened(); }) {}
 
 HttpResponse Routes::respond(const HttpRequest& request) {
   HttpResponse response;
@@ -121,6 +124,9 @@ HttpResponse Routes::route(const HttpRequest& request) {
   const auto& city = city_.reader();
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));
   if (path.starts_with("/sectors/")) return with_route("sector", answer_sector(request, city, path.substr(9)));
+  if (path == "/tours" || path == "/tours.x3d")
+    return with_route("tours", answer_tours(request, *url, city, desk_));
+  if (path == "/search") return with_route("search", answer_search(request, *url, desk_));
   if (path == "/conformance" || path == "/collections" || path.starts_with("/collections/"))
     return with_route("collections", answer_collections(request, *url, city));
   if (auto artefact = answer_artefact(request, city, path.substr(1)))

@@ -191,9 +191,10 @@ std::vector<std::size_t> caps_around(const WalkMesh& walk, const std::vector<Cor
 void leave_out_pockets(WalkMesh& walk, const CutOff& cut) {
   for (std::uint32_t t = 0; t < walk.part.size(); ++t)
     if (walk.part[t] != kNone && cut.is_cut[walk.part[t]] && cut.area_m2[walk.part[t]] <= kPocket_m2) {
-      walk.sector[t] = walk.part[t] = walk.way_out[t] = kNone;
-      walk.open[t] = 0;
+      walk.sector[t] = walk.part[t] = kNone;
+      walk.open[t] = walk.bends[t] = 0;
     }
+  std::erase_if(walk.corners, [&](const SideOfFan& c) { return walk.sector[c.triangle] == kNone; });
 }
 
 }  // namespace
@@ -201,18 +202,16 @@ void leave_out_pockets(WalkMesh& walk, const CutOff& cut) {
 std::vector<CornerCap> corner_caps(const WalkMesh& bare, std::int32_t clearance_mm) {
   assert(clearance_mm > 0);
   std::vector<CornerCap> caps;
-  for (std::uint32_t t = 0; t < bare.mesh.triangles.size(); ++t)
-    for (int k = 0; bare.sector[t] != kNone && k < 3; ++k) {
-      if (bare.is_open(t, k + 2) || !bare.is_bend(t, k)) continue;
-      const Fan fan = fan_of(bare, t, k);
-      CornerCap cap;
-      cap.corner = bare.at(t, k);
-      const double room = room_at(bare, cap.corner, fan, clearance_mm / kRoomShare);
-      cap.radius_mm = std::min(clearance_mm, static_cast<std::int32_t>(room * kRoomShare));
-      if (cap.radius_mm < kLeast_mm) continue;
-      make_rim(cap, fan.begin + kPi / 2, fan.span - kPi);
-      caps.push_back(std::move(cap));
-    }
+  for (const auto& [t, k] : bare.corners) {
+    const Fan fan = fan_of(bare, t, k);
+    CornerCap cap;
+    cap.corner = bare.at(t, k);
+    const double room = room_at(bare, cap.corner, fan, clearance_mm / kRoomShare);
+    cap.radius_mm = std::min(clearance_mm, static_cast<std::int32_t>(room * kRoomShare));
+    if (cap.radius_mm < kLeast_mm) continue;
+    make_rim(cap, fan.begin + kPi / 2, fan.span - kPi);
+    caps.push_back(std::move(cap));
+  }
   return caps;
 }
 

@@ -124,6 +124,8 @@ void open_sides(WalkMesh& walk, const Bounds& bounds) {
 /// Round each point from wall to wall: a point may have several such fans of triangles, one of them wider than a half.
 void find_bends(WalkMesh& walk) {
   walk.bends.assign(walk.mesh.triangles.size(), 0);
+  walk.right_wall.assign(walk.mesh.points.size(), {});
+  walk.left_wall.assign(walk.mesh.points.size(), {});
   std::vector<std::pair<std::uint32_t, int>> fan;
   for (std::uint32_t t = 0; t < walk.mesh.triangles.size(); ++t)
     for (int k = 0; walk.sector[t] != kNone && k < 3; ++k) {
@@ -134,6 +136,9 @@ void find_bends(WalkMesh& walk) {
       const PlanPoint p = walk.at(t, k), first = walk.at(t, k + 1), last = walk.at(fan.back().first, fan.back().second + 2);
       const auto side = orient(p, first, last);
       if (side > 0 || (side == 0 && dot(p, first, last) < 0)) continue;
+      walk.right_wall[walk.mesh.corner(t, k)] = first;
+      walk.left_wall[walk.mesh.corner(t, k)] = last;
+      walk.corners.push_back({t, k});
       for (const auto& [at, corner] : fan) walk.bends[at] = static_cast<std::uint8_t>(walk.bends[at] | 1u << corner);
     }
 }
@@ -157,31 +162,6 @@ void number_parts(WalkMesh& walk) {
       }
     }
     ++walk.part_count;
-  }
-}
-
-/// A triangle with one way on is a blind alley's end; taken away, its neighbour may be the next.
-void find_blind_alleys(WalkMesh& walk) {
-  const auto& triangles = walk.mesh.triangles;
-  walk.way_out.assign(triangles.size(), kNone);
-  std::vector<std::uint8_t> ways(triangles.size(), 0);
-  std::vector<std::uint32_t> queue;
-  std::vector<char> is_taken(triangles.size(), 0);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) ways[t] = static_cast<std::uint8_t>(ways[t] + walk.is_open(t, k));
-    if (ways[t] == 1) queue.push_back(t);
-  }
-  while (!queue.empty()) {
-    const std::uint32_t t = queue.back();
-    queue.pop_back();
-    if (is_taken[t] || ways[t] != 1) continue;
-    is_taken[t] = 1;
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t n = triangles[t].neighbour[static_cast<std::size_t>(k)];
-      if (!walk.is_open(t, k) || is_taken[n]) continue;
-      walk.way_out[t] = n;
-      if (--ways[n] == 1) queue.push_back(n);
-    }
   }
 }
 
@@ -239,7 +219,6 @@ WalkMesh make_walk_mesh(const std::vector<Sector>& sectors, const std::vector<Ga
   open_sides(walk, bounds);
   find_bends(walk);
   number_parts(walk);
-  find_blind_alleys(walk);
   mark_radii(walk, caps);
   return walk;
 }

@@ -50,7 +50,8 @@ PlanPoint random_place(std::mt19937_64& random, const RandomCity& rc, std::uint3
 void expect_as_short_as_brute_force(const WalkMesh& walk, const WalkGround& ground, PlanPoint from, PlanPoint to) {
   const WalkPlaces places(walk);
   if (places.standing_at(from).empty() || places.standing_at(to).empty()) return;
-  const auto found = ShortestWalk(walk, places).find(from, to);
+  const SightGraph graph = make_sight_graph(walk);
+  const auto found = ShortestWalk(walk, places, graph).find(from, to);
   const auto expected = shortest_by_brute_force(ground, from, to);
   ASSERT_EQ(found.has_value(), expected.has_value())
       << from.x << "," << from.y << " to " << to.x << "," << to.y << (expected ? " " + std::to_string(*expected) : "");
@@ -150,7 +151,8 @@ TEST(ShortestWalk, NamesSectorsThatGatesJoinInOrder) {
     const City city = random_town_city(seed);
     const WalkMesh walk = make_clear_walk_mesh(city.sectors, city.gates, kWalkClearance_mm);
     const WalkPlaces places(walk);
-    ShortestWalk shortest(walk, places);
+    const SightGraph graph = make_sight_graph(walk);
+    ShortestWalk shortest(walk, places, graph);
     std::map<std::pair<std::string, std::string>, bool> joined;
     for (const auto& g : city.gates) joined[{g.sector_id, g.to_sector_id}] = true;
     std::mt19937_64 random(seed);
