@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "city_db/city.hpp"
@@ -19,6 +20,8 @@ void write_city(const std::filesystem::path& path, const City& city,
 /// Reads every record (not the artefacts).
 /// Fails   CityError: no such file, not a Vicus city, damaged record; OtherVersionError: other format version.
 City read_city(const std::filesystem::path& path);
+/// Reads the records of some tables only (FORMAT.md has their names) and meta; none named: all.
+City read_city(const std::filesystem::path& path, const std::set<std::string>& tables);
 
 /// Number and bytes of the artefacts of one media type and coding.
 struct ArtefactTotal {

@@ -22,29 +22,34 @@ void read_list(const Database& db, const char* name, const Meta& meta, std::vect
 
 }  // namespace
 
-City read_city(const std::filesystem::path& path) {
+City read_city(const std::filesystem::path& path) { return read_city(path, {}); }
+
+City read_city(const std::filesystem::path& path, const std::set<std::string>& tables) {
   const auto db = open_city(path);
   const Meta meta = read_meta(db);
   City city;
   city.origin = origin_from_meta(db, meta);
-  read_list(db, "sector", meta, city.sectors);
-  read_list(db, "gate", meta, city.gates);
-  read_list(db, "border", meta, city.borders);
-  read_list(db, "building", meta, city.buildings);
-  read_list(db, "facade", meta, city.facades);
-  read_list(db, "obstacle", meta, city.obstacles);
-  read_list(db, "domain", meta, city.domain);
-  read_list(db, "street", meta, city.streets);
-  read_list(db, "object", meta, city.objects);
-  read_list(db, "surface", meta, city.surfaces);
-  read_list(db, "ride", meta, city.rides);
-  read_list(db, "prototype", meta, city.prototypes);
-  read_list(db, "viewpoint", meta, city.viewpoints);
-  read_list(db, "visible", meta, city.visible);
-  read_list(db, "impostor", meta, city.impostors);
-  read_list(db, "issue", meta, city.issues);
+  const auto read = [&](const char* name, auto& list) {
+    if (tables.empty() || tables.count(name)) read_list(db, name, meta, list);
+  };
+  read("sector", city.sectors);
+  read("gate", city.gates);
+  read("border", city.borders);
+  read("building", city.buildings);
+  read("facade", city.facades);
+  read("obstacle", city.obstacles);
+  read("domain", city.domain);
+  read("street", city.streets);
+  read("object", city.objects);
+  read("surface", city.surfaces);
+  read("ride", city.rides);
+  read("prototype", city.prototypes);
+  read("viewpoint", city.viewpoints);
+  read("visible", city.visible);
+  read("impostor", city.impostors);
+  read("issue", city.issues);
   std::vector<Terrain> terrains;
-  read_list(db, "terrain", meta, terrains);
+  read("terrain", terrains);
   if (terrains.size() > 1) db.throw_damaged("two terrains");
   if (!terrains.empty()) city.terrain = std::move(terrains.front());
   for (const auto& [key, value] : meta)

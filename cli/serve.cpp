@@ -10,6 +10,7 @@
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
+#include "cli/shared_guide.hpp"
 #include "cli/tiles.hpp"
 #include "httpd/routes.hpp"
 #include "httpd/serve.hpp"
@@ -85,8 +86,9 @@ void serve(const Arguments& arguments, Context& context) {
   const auto tiles =
       std::make_shared<MadeTiles>([path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
   raise_descriptor_limit(arguments.options);
+  const TourDesk desk = tour_desk(std::make_shared<SharedGuide>(arguments.city));
   const auto new_responder = [&]() -> Responder {
-    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles);
+    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles, desk);
     return [routes](const HttpRequest& request) { return routes->respond(request); };
   };
   HttpServer server(arguments.options, new_responder, metrics,

@@ -6,10 +6,10 @@
 
 namespace vicus {
 
-std::optional<LiveCity::Stamp> LiveCity::stamp_of(const std::filesystem::path& path) {
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
-  return Stamp{status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
+  return FileStamp{status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
                status.st_mtim.tv_nsec};
 }
 
@@ -17,7 +17,7 @@ std::optional<LiveCity::Stamp> LiveCity::stamp_of(const std::filesystem::path& p
 LiveCity::LiveCity(std::filesystem::path path, std::function<void()> reopened)
     : path_(std::move(path)),
       reopened_(std::move(reopened)),
-      stamp_(stamp_of(path_).value_or(Stamp{})),
+      stamp_(stamp_of(path_).value_or(FileStamp{})),
       reader_(path_),
       looked_(std::chrono::steady_clock::now()) {}
 

@@ -11,6 +11,15 @@
 /// One per thread.
 namespace vicus {
 
+/// Tells one file under a path from another.
+struct FileStamp {
+  std::uint64_t device = 0, inode = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;
+  bool operator==(const FileStamp&) const = default;
+};
+/// nullopt: there is none.
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
+
 class LiveCity {
  public:
   /// `reopened` is called after each change of file.
@@ -32,16 +41,9 @@ class LiveCity {
   static constexpr std::chrono::milliseconds kLookInterval{1000};
 
  private:
-  struct Stamp {
-    std::uint64_t device = 0, inode = 0, size = 0;
-    std::int64_t seconds = 0, nanoseconds = 0;
-    bool operator==(const Stamp&) const = default;
-  };
-  static std::optional<Stamp> stamp_of(const std::filesystem::path& path);
-
   std::filesystem::path path_;
   std::function<void()> reopened_;
-  Stamp stamp_;
+  FileStamp stamp_;
   CityReader reader_;
   std::uint64_t generation_ = 0;
   std::chrono::steady_clock::time_point looked_;

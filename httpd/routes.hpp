@@ -7,6 +7,7 @@
 #include "httpd/message.hpp"
 #include "httpd/metrics.hpp"
 #include "httpd/static_files.hpp"
+#include "httpd/tour_routes.hpp"
 
 /// The paths of DESIGN §10: request -> response, no sockets. One per thread.
 namespace vicus {
@@ -16,7 +17,7 @@ class Routes {
   /// `tiles` makes those of /blockmaps/ that the city's file does not have; null: there are no others.
   /// Fails   CityError: the city cannot be opened.
   Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files, std::shared_ptr<Metrics> metrics,
-         std::shared_ptr<MadeTiles> tiles = nullptr);
+         std::shared_ptr<MadeTiles> tiles = nullptr, TourDesk desk = {});
 
   /// Fails   never: whatever goes wrong becomes a problem (500, with `fault` for the log).
   HttpResponse respond(const HttpRequest& request);
@@ -28,6 +29,7 @@ class Routes {
   std::shared_ptr<const StaticFiles> files_;
   std::shared_ptr<Metrics> metrics_;
   std::shared_ptr<MadeTiles> tiles_;
+  TourDesk desk_;
   LiveCity city_;
 };
 

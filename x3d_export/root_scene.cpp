@@ -46,15 +46,20 @@ Ids behind_gates(const RecordSource& source, const std::string& id) {
   return ids;
 }
 
-/// Ids of sectors to show, and which file: true where the tall houses are enough.
-using Shown = std::map<std::string, bool>;
+/// Ids of sectors to show, and which file: tall where some houses are enough.
+using Shown = std::map<std::string, Detail>;
 
 /// L_i of paper 004 §5.1: the start, then i times the L_vis and gate neighbours of all that are in. A sector that is
 /// only seen over roofs comes as its tall houses and leads no further; VRML97 and X3D JSON have no such files.
 Shown sectors_within(const RecordSource& source, const RootOptions& options, const std::string& start) {
-  Shown shown{{start, false}};
+  Shown shown{{start, Detail::near}};
   if (options.level == kEverySector) {
-    for (const auto& id : source.sector_ids()) shown[id] = false;
+    for (const auto& id : source.sector_ids()) shown[id] = Detail::near;
+    return shown;
+  }
+  if (!options.near.empty()) {
+    for (const auto& id : options.near) shown[id] = Detail::near;
+    for (const auto& id : options.far) shown.emplace(id, Detail::far);
     return shown;
   }
   Ids latest{start};
@@ -63,16 +68,16 @@ Shown sectors_within(const RecordSource& source, const RootOptions& options, con
     for (const auto& id : latest) {
       for (const auto& v : source.visible_from(id))
         if (options.format == SceneFormat::x3d && !v.building_ids.empty())
-          shown.emplace(v.visible_sector_id, true);
+          shown.emplace(v.visible_sector_id, Detail::tall);
         else
           found.insert(v.visible_sector_id);
       found.merge(behind_gates(source, id));
     }
     latest.clear();
     for (const auto& id : found) {
-      const auto [at, is_new] = shown.emplace(id, false);
-      if (is_new || at->second) latest.insert(id);
-      at->second = false;
+      const auto [at, is_new] = shown.emplace(id, Detail::near);
+      if (is_new || at->second != Detail::near) latest.insert(id);
+      at->second = Detail::near;
     }
   }
   return shown;
@@ -80,7 +85,7 @@ Shown sectors_within(const RecordSource& source, const RootOptions& options, con
 
 struct InitialSector {
   Sector sector;
-  bool is_tall = false;
+  Detail detail = Detail::near;
 };
 
 /// The start sector first, then the others by id.
@@ -91,10 +96,10 @@ std::vector<InitialSector> initial_sectors(const RecordSource& source, const Roo
   if (options.is_static)
     shown = sectors_within(source, options, start.id);
   else
-    for (const auto& id : behind_gates(source, start.id)) shown.emplace(id, false);
+    for (const auto& id : behind_gates(source, start.id)) shown.emplace(id, Detail::near);
   shown.erase(start.id);
-  for (const auto& [id, is_tall] : shown)
-    if (auto sector = source.sector(id)) sectors.push_back({std::move(*sector), is_tall});
+  for (const auto& [id, detail] : shown)
+    if (auto sector = source.sector(id)) sectors.push_back({std::move(*sector), detail});
   return sectors;
 }
 
@@ -136,8 +141,8 @@ Node place_node(const RecordSource& source, const RootOptions& options, const In
   // The start comes with the world, before the Script runs; the others when it says so.
   if (!options.is_static && options.format != SceneFormat::vrml && number > 0) inline_node.set("load", false);
   set_bounds(inline_node, source, sector);
-  inline_node.set("url", std::vector<std::string>{options.base + sector.id + (initial.is_tall ? ".tall" : "") +
-                                                  suffix_of(options.format)});
+  const char* which = initial.detail == Detail::tall ? ".tall" : initial.detail == Detail::far ? ".far" : "";
+  inline_node.set("url", std::vector<std::string>{options.base + sector.id + which + suffix_of(options.format)});
   Node place("Transform", "P_" + suffix);
   place.set("translation", root_position(sector.origin));
   return place.add(std::move(inline_node));
@@ -193,7 +198,7 @@ Node loader_node(const RootOptions& options, const std::vector<InitialSector>& s
   std::vector<std::string> ids;
   std::vector<double> origins;
   std::vector<Node> inlines, places;
-  for (const auto& [s, is_tall] : sectors) {
+  for (const auto& [s, detail] : sectors) {
     ids.push_back(s.id);
     for (const double v : root_position(s.origin)) origins.push_back(v);
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/writers.hpp"
@@ -15,6 +16,7 @@ struct RootOptions {
   SceneFormat format = SceneFormat::x3d;
   bool is_static = false;               ///< no Script: `level` rings of sectors, all loaded
   int level = 1;                        ///< static only: i of L_i (paper 004 §5.1), or kEverySector
+  std::vector<std::string> near, far;   ///< static only: in place of rings: these, and their far files
   std::string loader_level;             ///< i of L_i for the LOADER; empty: it chooses by what it measures
   std::string loader_test = "polygon";  ///< how it finds the visitor's sector: polygon, box or gate (§5.2)
   std::string base = "sectors/";

@@ -13,6 +13,18 @@ export function planFromDegrees([lon, lat], [originLat, originLon]) {
     return [east, north - base];
 }
 
+/** Inverse of planFromDegrees, [lon, lat]; within a micrometre after a few corrections. */
+export function degreesFromPlan([east, north], origin) {
+    const [originLat, originLon] = origin, perDegree = kRadius * Math.PI / 180;
+    let lon = originLon, lat = originLat;
+    for (let i = 0; i < 8; ++i) {
+        const [e, n] = planFromDegrees([lon, lat], origin);
+        lon += (east - e) / (perDegree * Math.cos(lat * Math.PI / 180));
+        lat += (north - n) / perDegree;
+    }
+    return [lon, lat];
+}
+
 const kAlpha = [
     kThird / 2 - 2 / 3 * kThird ** 2 + 5 / 16 * kThird ** 3, 13 / 48 * kThird ** 2 - 3 / 5 * kThird ** 3, 61 / 240 * kThird ** 3];
 const kMeridian = kRadius / (1 + kThird) * (1 + kThird ** 2 / 4 + kThird ** 4 / 64);

@@ -51,8 +51,9 @@ export class Controls {
         if (event.code in kWalkKeys) {
             this.held.add(event.code);
             event.preventDefault();
-        } else if (!event.repeat) {
-            this.commands[event.code]?.();
+        } else if (!event.repeat && this.commands[event.code]) {
+            event.preventDefault();   // a letter that opens a dialog is none for its field
+            this.commands[event.code]();
         }
     }
 
@@ -114,7 +115,7 @@ export class Controls {
 
 /** Where one chooses, keys belong to the choice; a text that scrolls has the arrows, a button what presses it. */
 function isForElement({ target, code }) {
-    if (target.closest('select, textarea') !== null) return true;
+    if (target.closest('select, textarea, input') !== null) return true;
     if (/^(Enter|NumpadEnter|Space|Tab)$/.test(code)) return true;
     return target.matches('article') && /^(Arrow|Page|Home|End)/.test(code);
 }

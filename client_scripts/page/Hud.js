@@ -12,6 +12,7 @@ export class Hud {
         this.at('help-button').addEventListener('click', () => this.toggleHelp());
         this.at('help-close').addEventListener('click', () => this.toggleHelp(false));
         this.at('settings-close').addEventListener('click', () => this.toggleSettings(false));
+        this.at('find-close').addEventListener('click', () => this.toggleFind(false));
         this.timer = 0;
         this.city = 'Vicus';
     }
@@ -106,16 +107,20 @@ export class Hud {
         this.toggleDialog('settings', shown);
     }
 
+    toggleFind(shown = this.at('find').hidden) {
+        this.toggleDialog('find', shown, 'find-to');
+    }
+
     /** The focus goes into a dialog when it opens and back to the window when it closes. */
-    toggleDialog(id, shown) {
+    toggleDialog(id, shown, first = `${id}-close`) {
         if (shown === this.isShown(id)) return;
         if (shown) this.closeDialogs();
         this.toggle(id, shown);
-        this.at(shown ? `${id}-close` : 'window').focus();
+        this.at(shown ? first : 'window').focus();
     }
 
     closeDialogs() {
-        for (const id of ['help', 'settings']) if (this.isShown(id)) this.toggleDialog(id, false);
+        for (const id of ['help', 'settings', 'find']) if (this.isShown(id)) this.toggleDialog(id, false);
     }
 
     toggleSide(shown = this.at('side').hidden) {

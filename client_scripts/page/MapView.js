@@ -3,7 +3,7 @@ import { tightBox } from '../core/tightBox.js';
 const kScales = [0.35, 0.6, 1, 1.6, 2.6, 4.2];   // CSS pixels per metre
 const kGrounds = { street: '#fffdf8', crossroads: '#fffdf8', square: '#f7ecd2', yard: '#e3e9d6', passage: '#eee6da', open: '#dfe8d2' };
 const kPaper = '#e8e1d3', kHouse = '#cbb9a4', kHouseEdge = '#a8947c', kInk = '#4a4036';
-const kNear = 'rgba(240, 160, 60, 0.42)', kFar = 'rgba(70, 130, 190, 0.24)', kSeen = '#7a3fa0', kAvatar = '#1c6fd1';
+const kNear = 'rgba(240, 160, 60, 0.42)', kFar = 'rgba(70, 130, 190, 0.24)', kSeen = '#7a3fa0', kAvatar = '#1c6fd1', kRoute = '#d1491c';
 const kClickPixels = 5;
 const kLabelPixels = 70;     // a street shorter than this on the map bears no name
 
@@ -14,7 +14,7 @@ const kLabelPixels = 70;     // a street shorter than this on the map bears no n
 export class MapView {
     /** `go(east, north)`: a place was clicked. */
     constructor(canvas, plan, go) {
-        Object.assign(this, { canvas, plan, go, zoom: 2, centre: null, drag: null, shown: '', seen: false, paths: new Map() });
+        Object.assign(this, { canvas, plan, go, zoom: 2, centre: null, drag: null, shown: '', seen: false, paths: new Map(), route: null });
         canvas.addEventListener('pointerdown', event => this.pointerDown(event));
         canvas.addEventListener('pointermove', event => this.pointerMove(event));
         canvas.addEventListener('pointerup', event => this.pointerUp(event));
@@ -44,7 +44,7 @@ export class MapView {
         const files = sectors.filter(({ phase }) => phase === 'live').map(({ stem }) => stem);
         const pixels = [east, north, pose.east, pose.north].map(metres => (metres * this.scale).toFixed(1));
         const seen = [width, height, this.zoom, this.seen, here?.id, this.plan.version, pose.heading.toFixed(2)];
-        const key = [...seen, ...pixels, ...files].join(' ');
+        const key = [...seen, ...pixels, ...files, this.route?.length ?? 0, ...(this.route?.at(-1) ?? [])].join(' ');
         if (key === this.shown || !width) return;
         this.shown = key;
         this.plan.around(east, north, this.reach);
@@ -60,6 +60,7 @@ export class MapView {
         context.setTransform(s, 0, 0, -s, this.canvas.width / 2 - east * s, this.canvas.height / 2 + north * s);
         this.drawGrounds(context, files, here);
         this.drawHouses(context);
+        this.drawRoute(context);
         context.setTransform(ratio, 0, 0, ratio, 0, 0);
         this.drawNames(context);
         this.drawAvatar(context, pose);
@@ -121,6 +122,27 @@ export class MapView {
             context.fill(this.path(house), 'evenodd');
             if (this.scale > 0.5) context.stroke(this.path(house));
         }
+    }
+
+    /** The way of a tour, and where it ends. */
+    drawRoute(context) {
+        if (!this.route) return;
+        context.lineJoin = context.lineCap = 'round';
+        for (const [colour, pixels] of [['#ffffff', 8], [kRoute, 4.5]]) {
+            context.strokeStyle = colour;
+            context.lineWidth = pixels / this.scale;
+            context.beginPath();
+            for (const [east, north] of this.route) context.lineTo(east, north);
+            context.stroke();
+        }
+        const [east, north] = this.route.at(-1);
+        context.fillStyle = kRoute;
+        context.strokeStyle = '#ffffff';
+        context.lineWidth = 2 / this.scale;
+        context.beginPath();
+        context.arc(east, north, 7 / this.scale, 0, 2 * Math.PI);
+        context.fill();
+        context.stroke();
     }
 
     /** Each street's name once, along its longest sector in view. */

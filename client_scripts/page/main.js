@@ -6,12 +6,14 @@ import { MapView } from './MapView.js';
 import { PlaceDocument } from './PlaceDocument.js';
 import { SettingsDialog, storedSettings } from './Settings.js';
 import { StepButtons } from './StepButtons.js';
+import { TourDialog } from './TourDialog.js';
+import { TourPlayer } from './TourPlayer.js';
 import { Travel } from './Travel.js';
 import { Visit } from './Visit.js';
 import { Walker } from './Walker.js';
 import { XIteAdapter } from './xIteAdapter.js';
 import { fetchRootWorld } from './rootWorld.js';
-import { placeFromUrl, rootUrl, urlOfPlace } from './sharedPlace.js';
+import { placeFromUrl, rootUrl, tourFromUrl, urlOfPlace, urlOfTour } from './sharedPlace.js';
 
 /** s between two looks at what changes slowly: map, document, figures. */
 const kSideSeconds = 0.12;
@@ -36,6 +38,7 @@ async function start() {
     if (place.pose) view.setPose({ ...visit.homePose, ...place.pose });
     const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') });
     const parts = { view, world, visit, walker, travel, frameRate, ...sideParts(world, visit, travel) };
+    Object.assign(parts, tourParts(parts));
     const commands = commandsFor(parts);
     const tap = (spot, event) => view.tap(event) || travel.walkTo(spot, byId('window'), byId('goal'));
     parts.controls = new Controls(byId('window'), byId('stick'), commands, tap);
@@ -70,13 +73,38 @@ function sideParts(world, visit, travel) {
     return { plan, paper, map, dialog, sideAt: 0 };
 }
 
+function tourParts({ view, world, visit, walker, travel, map }) {
+    const moved = () => { visit.isJump = true; };
+    const ended = () => {
+        map.route = null;
+        history.replaceState(null, '', urlOfTour(location.href, null));
+    };
+    const player = new TourPlayer({ view, heights: () => walker.heights, hud, moved, ended });
+    const play = async (tour, query) => {
+        await visit.learn(tour.sectors[0].id);
+        map.route = tour.points;
+        map.follow();
+        player.start(tour);
+        history.replaceState(null, '', urlOfTour(location.href, query));
+    };
+    const jump = ({ sector, at: [east, north], look, name }) => {
+        const [x, y] = [look[0] - east, look[1] - north];
+        travel.to({ east, north, ...(Math.hypot(x, y) > 0.5 ? { heading: Math.atan2(x, y) } : {}) }, sector);
+        hud.say(name);
+    };
+    const find = new TourDialog({ degrees: world.degrees, pose: () => view.pose(), play, jump, close: () => hud.toggleFind(false) });
+    const shared = tourFromUrl(location.href);
+    if (shared) find.start(shared);
+    return { player, find };
+}
+
 function step(parts, seconds) {
-    const { view, visit, walker, travel, controls, pad, frameRate } = parts, before = visit.records.length, pose = view.pose();
+    const { view, visit, walker, travel, player, controls, pad, frameRate } = parts, before = visit.records.length, pose = view.pose();
     visit.step(pose, performance.now() / 1000);
     const { records } = visit;
     walker.setGround(records);
     const wish = pad.addTo(controls.wish(), seconds);
-    const hasMoved = walker.step(travel.wish(wish, pose, seconds), seconds);
+    const hasMoved = player.step(wish, seconds) || walker.step(travel.wish(wish, pose, seconds), seconds);
     const isSettled = records.length > 0 && visit.sectors.every(sector => sector.phase !== 'loading');
     if (!hasMoved) frameRate.rest(isSettled ? seconds : 0);
     else if (records.length === before) frameRate.add(seconds);
@@ -116,11 +144,16 @@ function figuresOf({ level, planner, files, sectors }) {
     ];
 }
 
-function commandsFor({ view, visit, travel }) {
+function commandsFor({ view, visit, travel, player, find }) {
     return {
         KeyH: () => hud.toggleHelp(), Slash: () => hud.toggleHelp(),
         Escape: () => hud.closeDialogs(),
         KeyM: () => hud.toggleSide(), KeyB: () => hud.togglePad(), KeyO: () => hud.toggleSettings(),
+        KeyF: () => {
+            hud.toggleFind();
+            find.open();
+        },
+        KeyK: () => player.toggle(),
         KeyN: () => travel.next(), PageDown: () => travel.next(), KeyP: () => travel.previous(), PageUp: () => travel.previous(),
         KeyR: () => travel.to(visit.homePose),
         KeyL: () => share(view, visit),
@@ -129,7 +162,7 @@ function commandsFor({ view, visit, travel }) {
 
 function connectButtons({ map }, commands) {
     const actions = {
-        'side-button': commands.KeyM, 'pad-button': commands.KeyB, 'settings-button': commands.KeyO, share: commands.KeyL,
+        'side-button': commands.KeyM, 'pad-button': commands.KeyB, 'settings-button': commands.KeyO, 'find-button': commands.KeyF, share: commands.KeyL,
         'view-next': commands.KeyN, 'view-previous': commands.KeyP,
         'map-in': () => map.zoomBy(1), 'map-out': () => map.zoomBy(-1), 'map-home': () => map.follow(),
     };
@@ -138,7 +171,7 @@ function connectButtons({ map }, commands) {
 }
 
 async function share(view, visit) {
-    const url = urlOfPlace(location.href, visit.current, view.pose(), { level: visit.level, isMeasured: settings.level === null });
+    const url = urlOfPlace(urlOfTour(location.href, null), visit.current, view.pose(), { level: visit.level, isMeasured: settings.level === null });
     history.replaceState(null, '', url);
     try {
         await navigator.clipboard.writeText(url);

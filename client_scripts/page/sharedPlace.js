@@ -28,6 +28,22 @@ export function urlOfPlace(href, start, { east, north, heading, pitch = 0 }, { l
     return url.href;
 }
 
+const kTourNames = ['tour', 'from', 'to', 'via', 'round'];
+
+/** The query of /tours that the page's address asks to play; null: none. */
+export function tourFromUrl(href) {
+    const query = new URLSearchParams([...new URL(href).searchParams].filter(([name]) => kTourNames.includes(name)));
+    return query.has('tour') || query.has('from') ? query : null;
+}
+
+/** The page's address with that tour, in place of any other; null: with none. */
+export function urlOfTour(href, query) {
+    const url = new URL(href);
+    for (const name of kTourNames) url.searchParams.delete(name);
+    for (const [name, value] of query ?? []) url.searchParams.append(name, value);
+    return url.href;
+}
+
 /** The root world's address for a start. */
 export function rootUrl(start) {
     return start ? `/city.x3d?start=${encodeURIComponent(start)}` : '/city.x3d';
