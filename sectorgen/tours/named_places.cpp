@@ -179,6 +179,8 @@ class Places {
 
 }  // namespace
 
+std::vector<NamedPlace> named_places(const City& city) { return Places(city).list(); }
+
 PlanPoint middle_of(const Sector& sector) {
   std::vector<PlanPoint> points = sector.ground.outer;
   for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());

@@ -25,16 +25,17 @@ double share_at(PlanPoint a, PlanPoint b, PlanPoint p, PlanPoint q) {
 }  // namespace
 
 ShortestWalk::ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph)
-    : walk_(walk), places_(places), graph_(graph), sight_(walk), reached_(graph.point.size()), sees_to_(graph.point.size(), 0) {}
+    : walk_(walk), places_(places), graph_(graph), sight_(walk), reached_(graph.point.size()), sees_to_(graph.point.size(), 0), let_in_(graph.point.size(), 0) {}
 
 /// No walk from there to `to` is shorter.
 double ShortestWalk::rest_from(std::uint32_t node) const {
-  double rest = length(walk_.mesh.points[graph_.point[node]], to_);
+  double rest = length(graph_.corner[node].at, to_);
   const auto& from = graph_.from_landmark[node];
-  for (std::size_t l = 0; l < graph_.landmarks; ++l)
-    if (const double differ = std::abs(static_cast<double>(from[l]) - to_landmark_[l]) - kLandmarkSlack_mm;
-        differ > rest && differ < kFar)
-      rest = differ;
+  for (std::size_t l = 0; l < graph_.landmarks; ++l) {
+    const double beyond = to_landmark_[l] - static_cast<double>(from[l]);
+    const double differ = (is_whole_ ? std::abs(beyond) : beyond) - kLandmarkSlack_mm;
+    if (differ > rest && differ < kFar) rest = differ;
+  }
   return rest;
 }
 
@@ -47,18 +48,31 @@ void ShortestWalk::reach(std::uint32_t node, double mm, std::uint32_t before) {
   queue_.emplace_back(-f, node);
   std::push_heap(queue_.begin(), queue_.end());
   if (sees_to_[node] != query_) return;
-  if (const double whole = mm + length(walk_.mesh.points[graph_.point[node]], to_); whole < best_mm_) {
+  if (const double whole = mm + length(graph_.corner[node].at, to_); whole < best_mm_) {
     best_mm_ = whole;
     last_ = node;
   }
 }
 
-/// A taut walk turns towards the wall that it touches.
-std::pair<bool, bool> ShortestWalk::turns_at(std::uint32_t point, PlanPoint before) const {
-  const PlanPoint at = walk_.mesh.points[point];
-  const auto of_right = orient(before, at, walk_.right_wall[point]), of_left = orient(before, at, walk_.left_wall[point]);
-  const bool is_along = of_right == 0 && of_left == 0;  // a wall without breadth, straight on
-  return {is_along || of_right > 0 || of_left > 0, is_along || of_right < 0 || of_left < 0};
+/// Is the ground at `to` in one piece? If not (a corner where walls meet), no walk goes over `to` from piece to piece.
+bool ShortestWalk::is_one_piece(const std::vector<std::uint32_t>& standing) const {
+  std::vector<std::uint32_t> joined{standing.front()};
+  for (std::size_t i = 0; i < joined.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t n = walk_.mesh.triangles[joined[i]].neighbour[static_cast<std::size_t>(k)];
+      if (walk_.is_open(joined[i], k) && std::find(standing.begin(), standing.end(), n) != standing.end() &&
+          std::find(joined.begin(), joined.end(), n) == joined.end())
+        joined.push_back(n);
+    }
+  return joined.size() == standing.size();
+}
+
+/// Corners on the way out of the alleys that these triangles are in.
+void ShortestWalk::let_into_alleys(const std::vector<std::uint32_t>& triangles) {
+  for (const std::uint32_t first : triangles)
+    for (std::uint32_t t = first; walk_.way_out[t] != kNone; t = walk_.way_out[t])
+      for (int k = 0; k < 3; ++k)
+        if (const std::uint32_t node = graph_.node_of[walk_.mesh.corner(t, k)]; node != kNone) let_in_[node] = query_;
 }
 
 /// false: no way. Fills best_mm_ and last_.
@@ -67,7 +81,8 @@ bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
   last_ = kNone;
   queue_.clear();
   for (const std::uint32_t c : sight_.corners())
-    reach(graph_.node_of[c], length(from, walk_.mesh.points[c]), kNone);
+    if (const std::uint32_t n = graph_.node_of[c]; !graph_.corner[n].is_blind || let_in_[n] == query_)
+      reach(n, length(from, walk_.mesh.points[c]), kNone);
   while (!queue_.empty()) {
     const auto [minus_f, node] = queue_.front();
     if (-minus_f >= best_mm_) break;
@@ -75,15 +90,20 @@ bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
     queue_.pop_back();
     const double mm = reached_[node].mm;
     if (-minus_f > mm + rest_from(node) + 1e-6) continue;  // reached on a shorter way since
-    const PlanPoint at = walk_.mesh.points[graph_.point[node]];
+    const auto& corner = graph_.corner[node];
     const std::uint32_t before = reached_[node].before;
-    const PlanPoint in_from = before == kNone ? from : walk_.mesh.points[graph_.point[before]];
-    const auto [may_turn_left, may_turn_right] = turns_at(graph_.point[node], in_from);
+    const PlanPoint in = before == kNone ? from : graph_.corner[before].at, at = corner.at;
+    // A taut walk turns towards the wall that it touches; where that has no breadth and lies straight on, to both sides.
+    const auto of_right = orient(in, at, corner.right_wall), of_left = orient(in, at, corner.left_wall);
+    const bool is_along = of_right == 0 && of_left == 0;
+    const bool may_left = is_along || of_right > 0 || of_left > 0, may_right = is_along || of_right < 0 || of_left < 0;
     for (std::uint32_t e = graph_.begin[node]; e < graph_.begin[node + 1]; ++e, ++steps) {
-      const PlanPoint next = walk_.mesh.points[graph_.point[graph_.neighbour[e]]];
-      const std::int64_t turn = orient(in_from, at, next);
-      if ((turn > 0 && !may_turn_left) || (turn < 0 && !may_turn_right)) continue;
-      reach(graph_.neighbour[e], mm + length(at, next), node);
+      const std::uint32_t n = graph_.neighbour[e];
+      const auto& next = graph_.corner[n];
+      const std::int64_t turn = orient(in, at, next.at);
+      if ((turn > 0 && !may_left) || (turn < 0 && !may_right)) continue;
+      if (next.is_blind && let_in_[n] != query_) continue;
+      reach(n, mm + length(at, next.at), node);
     }
   }
   return last_ != kNone;
@@ -97,10 +117,14 @@ std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
   if (!is_connected) return std::nullopt;
   if (++query_ == 0) {  // the counter has gone round
     std::fill(sees_to_.begin(), sees_to_.end(), 0);
+    std::fill(let_in_.begin(), let_in_.end(), 0);
     std::fill(reached_.begin(), reached_.end(), Reached{});
     query_ = 1;
   }
   to_ = to;
+  is_whole_ = is_one_piece(to_triangles);
+  let_into_alleys(from_triangles);
+  let_into_alleys(to_triangles);
   // From the end: which corners see it, how far it is from the landmarks.
   sight_.watch_for(from, from_triangles);
   sight_.look_round(to, to_triangles);
@@ -116,6 +140,10 @@ std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
     tell_landmarks(c);
   }
   for (const std::uint32_t c : sight_.met_head_on()) tell_landmarks(c);  // it may be a landmark
+  for (const std::uint32_t t : to_triangles)
+    for (int k = 0; k < 3; ++k)  // or `to` stands on one
+      if (const std::uint32_t c = walk_.mesh.corner(t, k); walk_.mesh.points[c] == to && graph_.node_of[c] != kNone)
+        tell_landmarks(c);
   sight_.look_round(from, from_triangles);
   std::uint64_t steps = 0;
   if (!search(from, steps)) return std::nullopt;

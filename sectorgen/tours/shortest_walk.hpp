@@ -32,7 +32,8 @@ struct Walk {
 ///         pieces of ground meet in a point only, nobody passes.
 /// Proof   a shortest walk is taut: straight between corners, each of its lines touches both its corners. From `from`
 ///         and `to` all such corners are looked for, between corners they are the graph's edges. A* along them, with
-///         lower bounds (straight line, landmarks) that never exceed the walk still to go, ends with the shortest.
+///         lower bounds (straight line, landmarks) that never exceed the walk still to go, ends with the shortest. It
+///         goes into blind alleys only where the walk begins or ends in them, and turns only towards walls it touches.
 class ShortestWalk {
  public:
   ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph);
@@ -47,7 +48,8 @@ class ShortestWalk {
   };
   double rest_from(std::uint32_t node) const;
   void reach(std::uint32_t node, double mm, std::uint32_t before);
-  std::pair<bool, bool> turns_at(std::uint32_t point, PlanPoint before) const;
+  bool is_one_piece(const std::vector<std::uint32_t>& standing) const;
+  void let_into_alleys(const std::vector<std::uint32_t>& triangles);
   bool search(PlanPoint from, std::uint64_t& steps);
   Walk walk_along(const std::vector<PlanPoint>& points, const std::vector<std::uint32_t>& nodes);
 
@@ -56,10 +58,12 @@ class ShortestWalk {
   const SightGraph& graph_;
   Sight sight_;
   PlanPoint to_;
+  bool is_whole_ = true;                   // the ground at `to` is one piece
   std::array<double, kLandmarks> to_landmark_{};
   std::uint32_t query_ = 0;
   std::vector<Reached> reached_;           // per node
   std::vector<std::uint32_t> sees_to_;     // per node: the query in which it sees `to`
+  std::vector<std::uint32_t> let_in_;      // per node in a blind alley: the query that begins or ends in there
   std::vector<std::pair<double, std::uint32_t>> queue_;
   double best_mm_ = 0;                     // of a walk to `to`
   std::uint32_t last_ = kNone;             // its last corner

@@ -99,6 +99,10 @@ SightGraph make_sight_graph(const WalkMesh& walk) {
     const std::uint32_t point = walk.mesh.corner(c.triangle, c.corner);
     graph.node_of[point] = static_cast<std::uint32_t>(graph.point.size());
     graph.point.push_back(point);
+    SightGraph::Corner corner{walk.mesh.points[point], walk.right_wall[point], walk.left_wall[point], true};
+    int j = c.corner;
+    for (std::uint32_t t = c.triangle; t != kNone; t = turned_left(walk, t, j)) corner.is_blind &= walk.way_out[t] != kNone;
+    graph.corner.push_back(corner);
   }
   const std::size_t batches = (walk.corners.size() + kBatch - 1) / kBatch;
   const unsigned threads = thread_count(0);

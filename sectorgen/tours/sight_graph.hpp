@@ -13,6 +13,11 @@ inline constexpr std::size_t kLandmarks = 16;
 /// Nodes are the corners a walk may bend at; an edge joins two that see each other along a line which touches both
 /// (a shortest walk is taut: it leaves a corner only along such a line). Undirected, each edge listed at both ends.
 struct SightGraph {
+  struct Corner {
+    PlanPoint at, right_wall, left_wall;  ///< as the mesh has them, close together
+    bool is_blind = false;                ///< all its ground is in blind alleys
+  };
+  std::vector<Corner> corner;          ///< per node
   std::vector<std::uint32_t> point;    ///< per node: of the mesh
   std::vector<std::uint32_t> node_of;  ///< per point of the mesh; kNone: no corner
   std::vector<std::uint32_t> begin, neighbour;

@@ -165,6 +165,30 @@ void number_parts(WalkMesh& walk) {
   }
 }
 
+/// A triangle with one way on is a blind alley's end; taken away, its neighbour may be the next.
+void find_blind_alleys(WalkMesh& walk) {
+  const auto& triangles = walk.mesh.triangles;
+  walk.way_out.assign(triangles.size(), kNone);
+  std::vector<std::uint8_t> ways(triangles.size(), 0);
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) ways[t] = static_cast<std::uint8_t>(ways[t] + walk.is_open(t, k));
+    if (ways[t] == 1) queue.push_back(t);
+  }
+  while (!queue.empty()) {
+    const std::uint32_t t = queue.back();
+    queue.pop_back();
+    if (ways[t] != 1) continue;  // its neighbour went before: the last of a part without rounds
+    ways[t] = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t n = triangles[t].neighbour[static_cast<std::size_t>(k)];
+      if (!walk.is_open(t, k) || walk.way_out[n] != kNone) continue;
+      walk.way_out[t] = n;
+      if (--ways[n] == 1) queue.push_back(n);
+    }
+  }
+}
+
 void mark_radii(WalkMesh& walk, const std::vector<CornerCap>& caps) {
   walk.radius_mm.assign(walk.mesh.points.size(), 0);
   std::vector<std::pair<PlanPoint, std::int32_t>> rims;
@@ -219,6 +243,7 @@ WalkMesh make_walk_mesh(const std::vector<Sector>& sectors, const std::vector<Ga
   open_sides(walk, bounds);
   find_bends(walk);
   number_parts(walk);
+  find_blind_alleys(walk);
   mark_radii(walk, caps);
   return walk;
 }

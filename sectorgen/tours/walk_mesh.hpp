@@ -32,6 +32,7 @@ struct WalkMesh {
   std::vector<SideOfFan> corners;                ///< all places to bend at: where the ground round each begins on the right
   std::vector<std::int32_t> radius_mm;  ///< per point: of its cap; 0: a wall's own corner
   std::vector<std::uint32_t> part;    ///< per triangle: which connected part of the ground; kNone: none
+  std::vector<std::uint32_t> way_out;  ///< per triangle in a blind alley: the next one towards its mouth; else kNone
   std::uint32_t part_count = 0;
 
   bool is_open(std::uint32_t t, int k) const { return (open[t] >> (k % 3)) & 1; }
