@@ -111,6 +111,16 @@ TEST(X3dFiles, AreValidByTheDtdOfX3d4) {
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
 }
 
+/// What view3dscene 4.2 says of a field that X3D 4.0 has and it does not know: pictures in gates are fetched when
+/// shown.
+std::string without_known_gap(std::string errors) {
+  const std::string gap =
+      "tovrmlx3d: Warning: X3D: Unknown X3D field name (unhandled X3D XML attribute) \"load\" in node "
+      "\"ImageTexture\"\n";
+  for (auto at = errors.find(gap); at != errors.npos; at = errors.find(gap)) errors.erase(at, gap.size());
+  return errors;
+}
+
 TEST(X3dAndVrmlFiles, AreReadBySomebodyElseWithoutAWord) {
   if (!is_installed("tovrmlx3d")) GTEST_SKIP() << "needs tovrmlx3d (Debian package view3dscene)";
   const WrittenCity city;
@@ -118,7 +128,7 @@ TEST(X3dAndVrmlFiles, AreReadBySomebodyElseWithoutAWord) {
     for (const auto& path : city.paths_with(suffix)) {
       const auto outcome = run(city, "HOME='" + city.folder().string() + "' tovrmlx3d '" + path.string() + "'");
       EXPECT_EQ(outcome.code, 0) << path;
-      EXPECT_EQ(outcome.errors, "") << path;
+      EXPECT_EQ(without_known_gap(outcome.errors), "") << path;
     }
 }
 
