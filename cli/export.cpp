@@ -50,16 +50,18 @@ void write_file(const fs::path& path, std::string_view bytes, Written& written) 
   written.bytes += bytes.size();
 }
 
-/// Ids of sectors and gates become file names; a city file from elsewhere may hold anything.
+/// Ids of sectors and gates become file names; a city file from elsewhere may hold anything. A gate's has dots within.
 void require_plain_ids(const City& city) {
-  const auto require = [](const char* what, const std::string& id) {
-    if (id.empty() ||
-        !std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
+  const auto require = [](const char* what, const std::string& id, bool may_have_dots) {
+    const auto is_plain = [&](unsigned char c) {
+      return std::isalnum(c) || c == '_' || c == '-' || (may_have_dots && c == '.');
+    };
+    if (id.empty() || id.front() == '.' || !std::all_of(id.begin(), id.end(), is_plain))
       throw CityError(std::string(what) + " id '" + id +
                       "' cannot be a file's name: expected letters, digits, '-' and '_'");
   };
-  for (const auto& s : city.sectors) require("sector", s.id);
-  for (const auto& i : city.impostors) require("gate", i.gate_id);
+  for (const auto& s : city.sectors) require("sector", s.id, false);
+  for (const auto& i : city.impostors) require("gate", i.gate_id, true);
 }
 
 void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat format, bool is_site, Written& written) {
