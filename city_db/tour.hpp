@@ -11,14 +11,15 @@ namespace vicus {
 
 /// A place a visitor can stand at.
 struct TourPlace {
-  std::string name;       ///< "Rue Haute 12", "Chez Paul"; a sector without a name: its id
-  std::string kind;       ///< street, square, house, sector, place (a point of the map), or an object's kind: shop, cafe, ...
-  std::string detail;     ///< the street it stands in, or empty
+  std::string name;  ///< "Rue Haute 12", "Chez Paul"; a sector without a name: its id
+  std::string
+      kind;  ///< street, square, house, sector, place (a point of the map), or an object's kind: shop, cafe, ...
+  std::string detail;  ///< the street it stands in, or empty
   std::string sector_id;
-  PlanPoint at;           ///< on the ground one walks on
-  PlanPoint look;         ///< what it is about: look this way from `at`; equal to `at` where any way is good
-  double ground_m = 0;    ///< above the plan frame's 0
-  LatLon degrees;         ///< of `at`
+  PlanPoint at;         ///< on the ground one walks on
+  PlanPoint look;       ///< what it is about: look this way from `at`; equal to `at` where any way is good
+  double ground_m = 0;  ///< above the plan frame's 0
+  LatLon degrees;       ///< of `at`
 };
 
 /// A point of the way: straight from one to the next.
@@ -33,7 +34,19 @@ struct TourSector {
   double walked_m = 0;  ///< where it is entered
 };
 
-enum class TourTurn { start, straight, slight_left, left, sharp_left, slight_right, right, sharp_right, back, via, arrive };
+enum class TourTurn {
+  start,
+  straight,
+  slight_left,
+  left,
+  sharp_left,
+  slight_right,
+  right,
+  sharp_right,
+  back,
+  via,
+  arrive
+};
 
 /// One line of what a guide would say.
 struct TourStep {

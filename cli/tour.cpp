@@ -92,7 +92,8 @@ void add_tour(CLI::App& app, Context& context) {
   command->add_option("--to", query.to, kPlace)->needs(from);
   command->add_option("--via", query.via, "a place to pass; may be given again")->needs(from);
   command->add_flag("--round", query.is_round, "back to the start")->needs(from);
-  command->add_option("--tour", query.tour, "a ready-made tour; without --from and --tour they are listed")->excludes(from);
+  command->add_option("--tour", query.tour, "a ready-made tour; without --from and --tour they are listed")
+      ->excludes(from);
   command->add_option("-o,--x3d", arguments->x3d, "also write a world that walks the tour by itself; beside sectors/");
   command->callback([&context, arguments] { show_tour(*arguments, context); });
 }

@@ -10,7 +10,7 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   return FileStamp{status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
-               status.st_mtim.tv_nsec};
+                   status.st_mtim.tv_nsec};
 }
 
 // The stamp is taken before the file is opened: a rename between the two is noticed at the next look.

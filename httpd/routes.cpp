@@ -85,7 +85,7 @@ HttpResponse answer_x_ite(const HttpRequest& request, const StaticFiles& files, 
 }  // namespace
 
 Routes::Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files,
-                std::shared_ptr<Metrics> metrics, std::shared_ptr<MadeTiles> tiles, TourDesk desk)
+               std::shared_ptr<Metrics> metrics, std::shared_ptr<MadeTiles> tiles, TourDesk desk)
     : files_(std::move(files)),
       metrics_(std::move(metrics)),
       tiles_(std::move(tiles)),
@@ -136,8 +136,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));
   if (path.starts_with("/sectors/")) return with_route("sector", answer_sector(request, city, path.substr(9)));
   if (path.starts_with("/blockmaps/")) return with_route("blockmap", answer_tile(request, path.substr(1)));
-  if (path == "/tours" || path == "/tours.x3d")
-    return with_route("tours", answer_tours(request, *url, city, desk_));
+  if (path == "/tours" || path == "/tours.x3d") return with_route("tours", answer_tours(request, *url, city, desk_));
   if (path == "/search") return with_route("search", answer_search(request, *url, desk_));
   if (path == "/conformance" || path == "/collections" || path.starts_with("/collections/"))
     return with_route("collections", answer_collections(request, *url, city));

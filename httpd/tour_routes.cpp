@@ -47,9 +47,12 @@ std::optional<std::string> read_tour_query(const Url& url, TourQuery& query) {
 
 int status_of(TourProblem::Kind kind) {
   switch (kind) {
-    case TourProblem::Kind::nonsense: return 400;
-    case TourProblem::Kind::unknown_place: return 404;
-    case TourProblem::Kind::not_connected: return 409;
+    case TourProblem::Kind::nonsense:
+      return 400;
+    case TourProblem::Kind::unknown_place:
+      return 404;
+    case TourProblem::Kind::not_connected:
+      return 409;
   }
   return 500;
 }
@@ -90,7 +93,8 @@ HttpResponse answer_search(const HttpRequest& request, const Url& url, const Tou
     }
   }
   if (typed.empty() || typed.size() > kMostSearched_bytes)
-    return problem(400, "Give q: a name, or its beginning, in at most " + std::to_string(kMostSearched_bytes) + " bytes.");
+    return problem(400,
+                   "Give q: a name, or its beginning, in at most " + std::to_string(kMostSearched_bytes) + " bytes.");
   return answer_made(request, kJson, places_json(typed, desk.search(typed, limit)));
 }
 

@@ -50,8 +50,7 @@ std::string tour_json(const Tour& tour) {
                      {"heading", rounded(v.heading_deg, 10)},
                      {"walked", millimetres(v.walked_m)}});
   for (const auto& p : tour.points)
-    points.push_back(
-        Json::array({metres(p.at.x), metres(p.at.y), millimetres(p.ground_m), millimetres(p.walked_m)}));
+    points.push_back(Json::array({metres(p.at.x), metres(p.at.y), millimetres(p.ground_m), millimetres(p.walked_m)}));
   return text_of({{"name", tour.name},
                   {"length", millimetres(tour.length_m)},
                   {"duration", rounded(tour.duration_s, 10)},

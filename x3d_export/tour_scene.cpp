@@ -84,7 +84,8 @@ std::vector<TourLook> tour_looks(const Tour& tour) {
   const auto directions = directions_of(tour, samples);
   std::vector<double> sums{0};
   for (const double d : directions) sums.push_back(sums.back() + d);
-  const auto span = static_cast<std::size_t>(kLookSpan_m / kSample_m), step = static_cast<std::size_t>(kLookStep_m / kSample_m);
+  const auto span = static_cast<std::size_t>(kLookSpan_m / kSample_m),
+             step = static_cast<std::size_t>(kLookStep_m / kSample_m);
   std::vector<TourLook> looks;
   const auto add = [&](std::size_t i, double walked_m) {
     const std::size_t from = i > span ? i - span : 0, to = std::min(samples, i + span);
@@ -114,7 +115,8 @@ std::optional<Scene> tour_scene(const RecordSource& source, const Tour& tour) {
   // The first Viewpoint of a world is bound; gravity and collision would pull at it.
   std::vector<Node> nodes;
   for (auto& node : scene->nodes) {
-    if (node.type == "NavigationInfo") node = Node("NavigationInfo").set("headlight", false).set("type", std::vector<std::string>{"NONE", "ANY"});
+    if (node.type == "NavigationInfo")
+      node = Node("NavigationInfo").set("headlight", false).set("type", std::vector<std::string>{"NONE", "ANY"});
     if (node.type == "Viewpoint" && !walker.type.empty()) {
       nodes.push_back(std::move(walker));
       walker.type.clear();

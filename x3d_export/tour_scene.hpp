@@ -15,8 +15,9 @@ struct TourLook {
   double heading_rad = 0;  ///< clockwise from north; goes on beyond half a turn, so that it never jumps
 };
 
-/// Headings every kLookStep_m, and at the end: the way's own direction, averaged from kLookSpan_m before to as far after.
-/// Bound   |change| <= the way's turning within that span / (2 kLookSpan_m) per metre: a corner of 90 degrees is spread
+/// Headings every kLookStep_m, and at the end: the way's own direction, averaged from kLookSpan_m before to as far
+/// after. Bound   |change| <= the way's turning within that span / (2 kLookSpan_m) per metre: a corner of 90 degrees is
+/// spread
 ///         over 4 m, at walking speed 2.9 s.
 std::vector<TourLook> tour_looks(const Tour& tour);
 

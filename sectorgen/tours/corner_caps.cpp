@@ -12,10 +12,10 @@ namespace vicus {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kMostTurn = kPi / 4;    // of the rim at one point: the point stands 1.08 radii off
-constexpr double kBesideArc = kPi / 6;   // how far beside the arc room is looked for
-constexpr std::int32_t kLeast_mm = 10;   // smaller caps are left out
-constexpr int kRounds = 6;               // of making caps smaller; in the last they go
+constexpr double kMostTurn = kPi / 4;   // of the rim at one point: the point stands 1.08 radii off
+constexpr double kBesideArc = kPi / 6;  // how far beside the arc room is looked for
+constexpr std::int32_t kLeast_mm = 10;  // smaller caps are left out
+constexpr int kRounds = 6;              // of making caps smaller; in the last they go
 
 struct Vec {
   double x = 0, y = 0;
@@ -35,7 +35,7 @@ double distance_to(Vec a, Vec b) {
 
 /// The triangles round a corner from wall to wall.
 struct Fan {
-  double begin = 0, span = 0;  ///< angle of the wall on its right; how far round to the other
+  double begin = 0, span = 0;                            ///< angle of the wall on its right; how far round to the other
   std::vector<std::pair<std::uint32_t, int>> triangles;  ///< and the corner's number in each
 };
 

@@ -112,7 +112,8 @@ Errors errors(std::string_view typed, std::string_view word) {
     if (least > 2) return {};
   }
   const auto& last = rows[typed.size() % 3];
-  return {last[word.size()], *std::min_element(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(word.size()) + 1)};
+  return {last[word.size()],
+          *std::min_element(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(word.size()) + 1)};
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ std::optional<LatLon> degrees_from(const std::string& text) {
     if (error != std::errc() || rest != part.data() + part.size() || !std::isfinite(value)) return std::nullopt;
     return value;
   };
-  const auto lat = number(std::string_view(text).substr(0, comma)), lon = number(std::string_view(text).substr(comma + 1));
+  const auto lat = number(std::string_view(text).substr(0, comma)),
+             lon = number(std::string_view(text).substr(comma + 1));
   if (!lat || !lon) return std::nullopt;
   return LatLon{*lat, *lon};
 }
@@ -78,7 +79,8 @@ struct Guide::Impl {
     const bool is_on_ground = standing->at == place.at;
     place.at = standing->at;
     std::uint32_t triangle = standing->triangle;
-    const bool is_thing = place.kind != "street" && place.kind != "square" && place.kind != "sector" && place.kind != "place";
+    const bool is_thing =
+        place.kind != "street" && place.kind != "square" && place.kind != "sector" && place.kind != "place";
     if (is_on_ground && is_thing && place.look == place.at) step_back(place, triangle);
     place.sector_id = told.sectors[walk.sector[triangle]].id;
     place.ground_m = height_m(told.terrain, place.at);
@@ -196,8 +198,8 @@ struct Guide::Impl {
 };
 
 Guide::Guide(const std::filesystem::path& city)
-    : impl_(std::make_unique<Impl>(read_city(
-          city, {"sector", "gate", "border", "facade", "building", "object", "viewpoint", "terrain"}))) {}
+    : impl_(std::make_unique<Impl>(
+          read_city(city, {"sector", "gate", "border", "facade", "building", "object", "viewpoint", "terrain"}))) {}
 Guide::~Guide() = default;
 
 TourAnswer Guide::tour(const TourQuery& query) const {
@@ -244,7 +246,8 @@ const std::vector<TourProposal>& Guide::proposals() const {
   std::call_once(impl_->proposed, [this] {
     std::vector<TourPlace> sights;
     for (const auto& named : impl_->names)
-      if (TourPlace place = named.place; named.is_sight && impl_->stand(place, kBesideGround_m)) sights.push_back(place);
+      if (TourPlace place = named.place; named.is_sight && impl_->stand(place, kBesideGround_m))
+        sights.push_back(place);
     impl_->proposals = propose_tours(sights, [this](const TourPlace& a, const TourPlace& b) {
       const auto walk = impl_->walk_between(a, b);
       return walk ? walk->length_mm / kMmPerMetre : -1;

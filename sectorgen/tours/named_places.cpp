@@ -21,10 +21,10 @@ const std::string& tag(const Tags& tags, const char* key) {
 
 bool is_sight_kind(const std::string& kind) {
   static const std::set<std::string> kSights = {
-      "artwork",  "attraction", "memorial", "monument",    "museum",      "statue",  "fountain",         "gallery",
-      "theatre",  "viewpoint",  "castle",   "city_gate",   "arts_centre", "cinema",  "place_of_worship", "church",
-      "cathedral", "chapel",    "synagogue", "mosque",     "townhall",    "tower",   "windmill",         "ruins",
-      "palace",   "library",    "opera_house"};
+      "artwork",   "attraction", "memorial",   "monument",  "museum",      "statue", "fountain",         "gallery",
+      "theatre",   "viewpoint",  "castle",     "city_gate", "arts_centre", "cinema", "place_of_worship", "church",
+      "cathedral", "chapel",     "synagogue",  "mosque",    "townhall",    "tower",  "windmill",         "ruins",
+      "palace",    "library",    "opera_house"};
   return kSights.count(kind) > 0;
 }
 
@@ -150,13 +150,14 @@ class Places {
       const auto& named_street = tag(b.tags, "addr:street");
       const auto rank = [&](const Front& f) {
         const auto sector = sectors_.find(f.sector_id);
-        const bool is_there = sector != sectors_.end() && !named_street.empty() &&
-                              (sector->second->name == named_street ||
-                               std::count(sector->second->names.begin(), sector->second->names.end(), named_street) > 0);
+        const bool is_there =
+            sector != sectors_.end() && !named_street.empty() &&
+            (sector->second->name == named_street ||
+             std::count(sector->second->names.begin(), sector->second->names.end(), named_street) > 0);
         return std::tuple(is_there, f.has_door, f.length_mm);
       };
-      const auto best = std::max_element(its.begin(), its.end(),
-                                         [&](const Front& a, const Front& c) { return rank(a) < rank(c); });
+      const auto best =
+          std::max_element(its.begin(), its.end(), [&](const Front& a, const Front& c) { return rank(a) < rank(c); });
       const std::string sector_id = best == its.end() ? b.sector_id : best->sector_id;
       const auto address = address_of(b.tags, street_of(sector_id));
       if (b.name.empty() && address.empty()) continue;
@@ -164,8 +165,8 @@ class Places {
                       at = best == its.end() ? look : best->at;
       const auto kind = kind_of_house(b.tags);
       if (!b.name.empty())
-        add(b.name, kind.empty() ? "house" : kind, address.empty() ? street_of(sector_id) : address, sector_id, at, look,
-            is_sight_kind(kind) ? kSightWeight : kNamedWeight);
+        add(b.name, kind.empty() ? "house" : kind, address.empty() ? street_of(sector_id) : address, sector_id, at,
+            look, is_sight_kind(kind) ? kSightWeight : kNamedWeight);
       if (!address.empty() && addresses_.insert(address).second)
         add(address, "house", "", sector_id, at, look, kAddressWeight);
     }
@@ -189,8 +190,8 @@ PlanPoint middle_of(const Sector& sector) {
   const auto& t = sector.ground_triangles;
   for (std::size_t i = 0; i + 2 < t.size(); i += 3) {
     const PlanPoint a = points[t[i]], b = points[t[i + 1]], c = points[t[i + 2]];
-    const std::int64_t twice = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
-                               (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+    const std::int64_t twice =
+        (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
     if (twice <= widest) continue;
     widest = twice;
     middle = {static_cast<std::int32_t>((std::int64_t{a.x} + b.x + c.x) / 3),

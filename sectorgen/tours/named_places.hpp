@@ -7,10 +7,10 @@
 /// What of a city has a name or an address.
 namespace vicus {
 
-/// Streets and squares (one of each name, where it is widest), named houses and addresses, named objects: shops, sights,
-/// stops. A house's place is before its door, or its longest front, and looks at it. Places are where the map has them:
-/// some are not on the ground one walks on. `degrees` and heights are left out.
-/// Needs   sectors, buildings, borders, facades, objects, viewpoints; the other lists may be empty.
+/// Streets and squares (one of each name, where it is widest), named houses and addresses, named objects: shops,
+/// sights, stops. A house's place is before its door, or its longest front, and looks at it. Places are where the map
+/// has them: some are not on the ground one walks on. `degrees` and heights are left out. Needs   sectors, buildings,
+/// borders, facades, objects, viewpoints; the other lists may be empty.
 std::vector<NamedPlace> named_places(const City& city);
 
 /// A point well inside the sector's ground.

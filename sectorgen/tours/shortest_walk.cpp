@@ -25,7 +25,13 @@ double share_at(PlanPoint a, PlanPoint b, PlanPoint p, PlanPoint q) {
 }  // namespace
 
 ShortestWalk::ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph)
-    : walk_(walk), places_(places), graph_(graph), sight_(walk), reached_(graph.point.size()), sees_to_(graph.point.size(), 0), let_in_(graph.point.size(), 0) {}
+    : walk_(walk),
+      places_(places),
+      graph_(graph),
+      sight_(walk),
+      reached_(graph.point.size()),
+      sees_to_(graph.point.size(), 0),
+      let_in_(graph.point.size(), 0) {}
 
 /// No walk from there to `to` is shorter.
 double ShortestWalk::rest_from(std::uint32_t node) const {
@@ -93,7 +99,8 @@ bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
     const auto& corner = graph_.corner[node];
     const std::uint32_t before = reached_[node].before;
     const PlanPoint in = before == kNone ? from : graph_.corner[before].at, at = corner.at;
-    // A taut walk turns towards the wall that it touches; where that has no breadth and lies straight on, to both sides.
+    // A taut walk turns towards the wall that it touches; where that has no breadth and lies straight on, to both
+    // sides.
     const auto of_right = orient(in, at, corner.right_wall), of_left = orient(in, at, corner.left_wall);
     const bool is_along = of_right == 0 && of_left == 0;
     const bool may_left = is_along || of_right > 0 || of_left > 0, may_right = is_along || of_right < 0 || of_left < 0;
@@ -204,9 +211,8 @@ Walk ShortestWalk::walk_along(const std::vector<PlanPoint>& points, const std::v
     bends(i + 1, to);
     const auto way = sight_.way_to(a, from, b, to);
     if (way.empty()) {
-      const auto shared = std::find_if(from.begin(), from.end(), [&](std::uint32_t t) {
-        return std::find(to.begin(), to.end(), t) != to.end();
-      });
+      const auto shared = std::find_if(from.begin(), from.end(),
+                                       [&](std::uint32_t t) { return std::find(to.begin(), to.end(), t) != to.end(); });
       if (shared != from.end()) {
         turn_to(*shared, i);
         in = *shared;

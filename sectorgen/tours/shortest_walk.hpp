@@ -58,15 +58,15 @@ class ShortestWalk {
   const SightGraph& graph_;
   Sight sight_;
   PlanPoint to_;
-  bool is_whole_ = true;                   // the ground at `to` is one piece
+  bool is_whole_ = true;  // the ground at `to` is one piece
   std::array<double, kLandmarks> to_landmark_{};
   std::uint32_t query_ = 0;
-  std::vector<Reached> reached_;           // per node
-  std::vector<std::uint32_t> sees_to_;     // per node: the query in which it sees `to`
-  std::vector<std::uint32_t> let_in_;      // per node in a blind alley: the query that begins or ends in there
+  std::vector<Reached> reached_;        // per node
+  std::vector<std::uint32_t> sees_to_;  // per node: the query in which it sees `to`
+  std::vector<std::uint32_t> let_in_;   // per node in a blind alley: the query that begins or ends in there
   std::vector<std::pair<double, std::uint32_t>> queue_;
-  double best_mm_ = 0;                     // of a walk to `to`
-  std::uint32_t last_ = kNone;             // its last corner
+  double best_mm_ = 0;          // of a walk to `to`
+  std::uint32_t last_ = kNone;  // its last corner
 };
 
 }  // namespace vicus

@@ -108,7 +108,8 @@ void Sight::look_on(std::uint32_t t, int j) {
     if (touches_second) touch(t, (j + 2) % 3);
     if (cross(left, back2) >= 0 && is_first) touch(t, (j + 2) % 3);
     if (cross(back1, right) >= 0 && is_second) touch(t, (j + 1) % 3);
-    const bool is_all_first = is_first && cross(left, back2) >= 0, is_all_second = is_second && cross(back1, right) >= 0;
+    const bool is_all_first = is_first && cross(left, back2) >= 0,
+               is_all_second = is_second && cross(back1, right) >= 0;
     if (is_all_first || is_all_second) {
       pass(t, j, right, left, kNone);
     } else {
@@ -135,7 +136,8 @@ std::vector<SidePassed> Sight::way_to(PlanPoint p, const std::vector<std::uint32
   std::vector<SidePassed> way;
   for (std::uint32_t i = 0; i < looks_.size() && way.empty(); ++i)
     if (expand(i))
-      for (std::uint32_t at = i; at != kNone; at = looks_[at].before) way.push_back({looks_[at].triangle, looks_[at].side});
+      for (std::uint32_t at = i; at != kNone; at = looks_[at].before)
+        way.push_back({looks_[at].triangle, looks_[at].side});
   is_narrow_ = has_goal_ = false;
   std::reverse(way.begin(), way.end());
   return way;

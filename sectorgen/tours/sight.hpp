@@ -22,8 +22,8 @@ class Sight {
 
   /// All corners (points of the mesh) seen from p. `standing`: the triangles at p.
   void look_round(PlanPoint p, const std::vector<std::uint32_t>& standing);
-  /// The same from a corner, in the directions that a walk which bends there can leave in. `t`, `j`: the triangle on the
-  /// right of its ground, at its right wall, and the corner's number in it.
+  /// The same from a corner, in the directions that a walk which bends there can leave in. `t`, `j`: the triangle on
+  /// the right of its ground, at its right wall, and the corner's number in it.
   void look_on(std::uint32_t t, int j);
   /// Those that a straight walk there touches and can bend at, each once, in no order.
   const std::vector<std::uint32_t>& corners() const { return corners_; }

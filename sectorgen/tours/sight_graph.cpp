@@ -26,7 +26,8 @@ struct HeadOn {
 };
 
 /// Lengths of the shortest walks from a corner to all others.
-std::vector<double> walks_from(const WalkMesh& walk, const SightGraph& graph, const HeadOn& head_on, std::uint32_t node) {
+std::vector<double> walks_from(const WalkMesh& walk, const SightGraph& graph, const HeadOn& head_on,
+                               std::uint32_t node) {
   std::vector<double> least(graph.point.size(), kFar);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -50,7 +51,8 @@ std::vector<double> walks_from(const WalkMesh& walk, const SightGraph& graph, co
       reach(graph.neighbour[e], mm + length(at(n), at(graph.neighbour[e])));
   }
   const auto touched = least;
-  for (const auto& [from, to] : head_on.from_to) least[to] = std::min(least[to], touched[from] + length(at(from), at(to)));
+  for (const auto& [from, to] : head_on.from_to)
+    least[to] = std::min(least[to], touched[from] + length(at(from), at(to)));
   for (const std::uint32_t c : sight.met_head_on())
     least[graph.node_of[c]] = std::min(least[graph.node_of[c]], length(at(node), walk.mesh.points[c]));
   least[node] = 0;
@@ -61,7 +63,8 @@ std::vector<double> walks_from(const WalkMesh& walk, const SightGraph& graph, co
 std::vector<std::uint32_t> rim_of(const WalkMesh& walk, const SightGraph& graph) {
   std::vector<std::size_t> corners_of(walk.part_count, 0);
   for (const auto& c : walk.corners) ++corners_of[walk.part[c.triangle]];
-  const auto largest = static_cast<std::uint32_t>(std::max_element(corners_of.begin(), corners_of.end()) - corners_of.begin());
+  const auto largest =
+      static_cast<std::uint32_t>(std::max_element(corners_of.begin(), corners_of.end()) - corners_of.begin());
   std::vector<std::uint32_t> rim;
   for (std::size_t l = 0; l < kLandmarks; ++l) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(l) / kLandmarks;
@@ -101,7 +104,8 @@ SightGraph make_sight_graph(const WalkMesh& walk) {
     graph.point.push_back(point);
     SightGraph::Corner corner{walk.mesh.points[point], walk.right_wall[point], walk.left_wall[point], true};
     int j = c.corner;
-    for (std::uint32_t t = c.triangle; t != kNone; t = turned_left(walk, t, j)) corner.is_blind &= walk.way_out[t] != kNone;
+    for (std::uint32_t t = c.triangle; t != kNone; t = turned_left(walk, t, j))
+      corner.is_blind &= walk.way_out[t] != kNone;
     graph.corner.push_back(corner);
   }
   const std::size_t batches = (walk.corners.size() + kBatch - 1) / kBatch;

@@ -12,7 +12,9 @@ constexpr double kApart_m = 40;  // sights nearer to each other count as one sto
 
 using WalkLength = std::function<double(const TourPlace&, const TourPlace&)>;
 
-double apart_m(PlanPoint a, PlanPoint b) { return std::hypot(metres(std::int64_t{b.x} - a.x), metres(std::int64_t{b.y} - a.y)); }
+double apart_m(PlanPoint a, PlanPoint b) {
+  return std::hypot(metres(std::int64_t{b.x} - a.x), metres(std::int64_t{b.y} - a.y));
+}
 
 /// The `most` sights nearest to the middle one, none beside another.
 std::vector<TourPlace> around_middle(const std::vector<TourPlace>& sights, std::size_t most) {
@@ -33,8 +35,8 @@ std::vector<TourPlace> around_middle(const std::vector<TourPlace>& sights, std::
   std::vector<TourPlace> chosen;
   std::set<std::string> names;
   for (const auto& s : sorted) {
-    const bool is_beside = std::any_of(chosen.begin(), chosen.end(),
-                                       [&](const TourPlace& c) { return apart_m(c.at, s.at) < kApart_m; });
+    const bool is_beside =
+        std::any_of(chosen.begin(), chosen.end(), [&](const TourPlace& c) { return apart_m(c.at, s.at) < kApart_m; });
     if (is_beside || !names.insert(s.name).second) continue;
     chosen.push_back(s);
     if (chosen.size() == most) break;
@@ -78,15 +80,16 @@ std::vector<std::size_t> short_round(const std::vector<std::vector<double>>& m) 
       for (std::size_t j = i + 1; j < n; ++j) {
         const std::size_t a = order[i - 1], b = order[i], c = order[j], d = order[(j + 1) % n];
         if (m[a][c] + m[b][d] >= m[a][b] + m[c][d] - 1e-6) continue;
-        std::reverse(order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+        std::reverse(order.begin() + static_cast<std::ptrdiff_t>(i),
+                     order.begin() + static_cast<std::ptrdiff_t>(j) + 1);
         is_better = true;
       }
   }
   return order;
 }
 
-void propose(std::vector<TourProposal>& proposals, const char* id, const char* name, const std::vector<TourPlace>& stops,
-             const WalkLength& walk_m) {
+void propose(std::vector<TourProposal>& proposals, const char* id, const char* name,
+             const std::vector<TourPlace>& stops, const WalkLength& walk_m) {
   const auto lengths = lengths_between(stops, walk_m);
   if (lengths.stops.size() < kFewestStops) return;
   const auto order = short_round(lengths.m);

@@ -89,7 +89,8 @@ class Teller {
     while (first < last && is_passed(first)) ++first;
     std::string street = sectors[first]->name;
     const Sector* told = sectors[first];
-    const std::string along = std::string(compass_word(heading_deg(begin_m + 1, begin_m + kLookBack_m))) + along_text(*told);
+    const std::string along =
+        std::string(compass_word(heading_deg(begin_m + 1, begin_m + kLookBack_m))) + along_text(*told);
     const auto& stop = tour_.stops[number];
     if (number == 0)
       add_step(TourTurn::start, "Start at " + stop.name + " and go " + along + ".", street, begin_m);
@@ -110,22 +111,32 @@ class Teller {
 
   static std::string along_text(const Sector& s) {
     switch (s.kind) {
-      case SectorKind::square: return s.name.empty() ? " over the square" : " over " + s.name;
-      case SectorKind::yard: return s.name.empty() ? " through the yard" : " through " + s.name;
-      case SectorKind::passage: return s.name.empty() ? " through the passage" : " through " + s.name;
-      case SectorKind::open: return s.name.empty() ? " over open ground" : " through " + s.name;
-      default: return s.name.empty() ? "" : " along " + s.name;
+      case SectorKind::square:
+        return s.name.empty() ? " over the square" : " over " + s.name;
+      case SectorKind::yard:
+        return s.name.empty() ? " through the yard" : " through " + s.name;
+      case SectorKind::passage:
+        return s.name.empty() ? " through the passage" : " through " + s.name;
+      case SectorKind::open:
+        return s.name.empty() ? " over open ground" : " through " + s.name;
+      default:
+        return s.name.empty() ? "" : " along " + s.name;
     }
   }
 
   static std::string ground_text(const Sector& s) {
     if (!s.name.empty()) return s.name;
     switch (s.kind) {
-      case SectorKind::square: return "a square";
-      case SectorKind::yard: return "a yard";
-      case SectorKind::passage: return "a passage";
-      case SectorKind::open: return "open ground";
-      default: return "a street without a name";
+      case SectorKind::square:
+        return "a square";
+      case SectorKind::yard:
+        return "a yard";
+      case SectorKind::passage:
+        return "a passage";
+      case SectorKind::open:
+        return "open ground";
+      default:
+        return "a street without a name";
     }
   }
 
@@ -142,14 +153,22 @@ class Teller {
   static std::string turn_text(TourTurn turn, const Sector& s) {
     const std::string into = " into " + ground_text(s) + ".";
     switch (turn) {
-      case TourTurn::slight_left: return "Keep left" + into;
-      case TourTurn::left: return "Turn left" + into;
-      case TourTurn::sharp_left: return "Turn sharply left" + into;
-      case TourTurn::slight_right: return "Keep right" + into;
-      case TourTurn::right: return "Turn right" + into;
-      case TourTurn::sharp_right: return "Turn sharply right" + into;
-      case TourTurn::back: return "Turn round" + into;
-      default: return "Go on" + into;
+      case TourTurn::slight_left:
+        return "Keep left" + into;
+      case TourTurn::left:
+        return "Turn left" + into;
+      case TourTurn::sharp_left:
+        return "Turn sharply left" + into;
+      case TourTurn::slight_right:
+        return "Keep right" + into;
+      case TourTurn::right:
+        return "Turn right" + into;
+      case TourTurn::sharp_right:
+        return "Turn sharply right" + into;
+      case TourTurn::back:
+        return "Turn round" + into;
+      default:
+        return "Go on" + into;
     }
   }
 
@@ -158,7 +177,8 @@ class Teller {
     std::string text = "You are at " + stop.name + ".";
     const double dx = metres(std::int64_t{stop.look.x} - stop.at.x), dy = metres(std::int64_t{stop.look.y} - stop.at.y);
     if (std::hypot(dx, dy) < kSide_m || tour_.length_m < 2) return text;
-    const double off = std::remainder(degrees(std::atan2(dx, dy)) - heading_deg(tour_.length_m - 4, tour_.length_m), 360);
+    const double off =
+        std::remainder(degrees(std::atan2(dx, dy)) - heading_deg(tour_.length_m - 4, tour_.length_m), 360);
     if (std::abs(off) < kSlight_deg) return text + " It is before you.";
     if (std::abs(off) > 180 - kSlight_deg) return text + " It is behind you.";
     return text + (off < 0 ? " It is on your left." : " It is on your right.");
@@ -203,8 +223,9 @@ class Teller {
         const auto &a = tour_.points[i], &b = tour_.points[i + 1];
         const double dx = double(b.at.x) - a.at.x, dy = double(b.at.y) - a.at.y, length2 = dx * dx + dy * dy;
         const double share =
-            length2 > 0 ? std::clamp(((double(v.at.x) - a.at.x) * dx + (double(v.at.y) - a.at.y) * dy) / length2, 0.0, 1.0)
-                        : 0;
+            length2 > 0
+                ? std::clamp(((double(v.at.x) - a.at.x) * dx + (double(v.at.y) - a.at.y) * dy) / length2, 0.0, 1.0)
+                : 0;
         const double mm = std::hypot(a.at.x + share * dx - v.at.x, a.at.y + share * dy - v.at.y);
         if (mm >= nearest) continue;
         nearest = mm;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t kGate = kNone, kCap = kNone - 1;  // owners that are no sectors
 
-/// A piece of a ring or gate on the lattice, from lo to hi, or from hi to lo when turned; what it bounds is on its left.
+/// A piece of a ring or gate on the lattice, from lo to hi, or from hi to lo when turned; what it bounds is on its
+/// left.
 struct Bound {
   PlanPoint lo, hi;
   std::uint32_t owner = kGate;
@@ -133,7 +134,8 @@ void find_bends(WalkMesh& walk) {
       fan.clear();
       int j = k;
       for (std::uint32_t at = t; at != kNone; at = turned_left(walk, at, j)) fan.emplace_back(at, j);
-      const PlanPoint p = walk.at(t, k), first = walk.at(t, k + 1), last = walk.at(fan.back().first, fan.back().second + 2);
+      const PlanPoint p = walk.at(t, k), first = walk.at(t, k + 1),
+                      last = walk.at(fan.back().first, fan.back().second + 2);
       const auto side = orient(p, first, last);
       if (side > 0 || (side == 0 && dot(p, first, last) < 0)) continue;
       walk.right_wall[walk.mesh.corner(t, k)] = first;

@@ -28,11 +28,12 @@ struct WalkMesh {
   std::vector<std::uint32_t> sector;  ///< per triangle: index of the sector; kNone: nobody walks there
   std::vector<std::uint8_t> open;     ///< per triangle: bit k: its side k can be passed
   std::vector<std::uint8_t> bends;    ///< per triangle: bit k: ground on more than half of the way round corner k
-  std::vector<PlanPoint> right_wall, left_wall;  ///< per point to bend at: the walls' next points on both sides of its ground
-  std::vector<SideOfFan> corners;                ///< all places to bend at: where the ground round each begins on the right
+  std::vector<PlanPoint> right_wall,
+      left_wall;                        ///< per point to bend at: the walls' next points on both sides of its ground
+  std::vector<SideOfFan> corners;       ///< all places to bend at: where the ground round each begins on the right
   std::vector<std::int32_t> radius_mm;  ///< per point: of its cap; 0: a wall's own corner
-  std::vector<std::uint32_t> part;    ///< per triangle: which connected part of the ground; kNone: none
-  std::vector<std::uint32_t> way_out;  ///< per triangle in a blind alley: the next one towards its mouth; else kNone
+  std::vector<std::uint32_t> part;      ///< per triangle: which connected part of the ground; kNone: none
+  std::vector<std::uint32_t> way_out;   ///< per triangle in a blind alley: the next one towards its mouth; else kNone
   std::uint32_t part_count = 0;
 
   bool is_open(std::uint32_t t, int k) const { return (open[t] >> (k % 3)) & 1; }

@@ -84,7 +84,9 @@ int main(int argc, char** argv) {
     steps += static_cast<double>(w->steps);
   }
   std::sort(times.begin(), times.end());
-  const auto at = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
+  const auto at = [&](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+  };
   std::printf("walks %d of %d  mean %.0f m  steps %.0f  p50 %.2f ms  p95 %.2f  p99 %.2f  max %.2f\n", found, count,
               length / found, steps / found, at(0.5), at(0.95), at(0.99), times.back());
 }

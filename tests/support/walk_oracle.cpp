@@ -43,9 +43,8 @@ class Brute {
       if (w.a != p) directions.push_back(from_to(p, w.a));
       if (w.b != p) directions.push_back(from_to(p, w.b));
     }
-    std::sort(directions.begin(), directions.end(), [](Direction a, Direction b) {
-      return std::atan2(a.second, a.first) < std::atan2(b.second, b.first);
-    });
+    std::sort(directions.begin(), directions.end(),
+              [](Direction a, Direction b) { return std::atan2(a.second, a.first) < std::atan2(b.second, b.first); });
     const auto is_same = [](Direction a, Direction b) { return cross(a, b) == 0 && dot(a, b) > 0; };
     directions.erase(std::unique(directions.begin(), directions.end(), is_same), directions.end());
     if (directions.size() > 1 && is_same(directions.front(), directions.back())) directions.pop_back();

@@ -41,14 +41,15 @@ class TourRoutes : public testing::Test {
   nlohmann::json get(const std::string& target, int status, const char* media_type = "application/json") {
     const auto response = routes_.respond({"GET", target, {}});
     EXPECT_EQ(response.status, status) << target;
-    EXPECT_EQ(field_of(response.fields, "Content-Type"), status == 200 ? media_type : "application/problem+json") << target;
+    EXPECT_EQ(field_of(response.fields, "Content-Type"), status == 200 ? media_type : "application/problem+json")
+        << target;
     return nlohmann::json::parse(*response.body, nullptr, false);
   }
 
   test::ServedCity served_;
   TourQuery asked_;
-  Routes routes_{served_.path(), std::make_shared<const StaticFiles>(served_.scratch / "x_ite"), std::make_shared<Metrics>(),
-                 some_desk(asked_)};
+  Routes routes_{served_.path(), std::make_shared<const StaticFiles>(served_.scratch / "x_ite"),
+                 std::make_shared<Metrics>(), some_desk(asked_)};
 };
 
 TEST_F(TourRoutes, GiveATour) {
@@ -65,9 +66,10 @@ TEST_F(TourRoutes, GiveATour) {
 TEST_F(TourRoutes, ListReadyMadeTours) { EXPECT_EQ(get("/tours", 200)["tours"][0]["id"], "short"); }
 
 TEST_F(TourRoutes, RefuseNonsenseByKind) {
-  for (const char* target : {"/tours?from=a", "/tours?to=a", "/tours?from=a&to=b&from=c", "/tours?from=a&to=b&round=2",
-                             "/tours?form=a&to=b", "/tours?tour=short&from=a", "/tours.x3d", "/tours?from=%3F&to=b", "/search",
-                             "/search?q=", "/search?q=a&limit=0", "/search?q=a&limit=51", "/search?q=a&q=b", "/search?x=a"})
+  for (const char* target :
+       {"/tours?from=a", "/tours?to=a", "/tours?from=a&to=b&from=c", "/tours?from=a&to=b&round=2", "/tours?form=a&to=b",
+        "/tours?tour=short&from=a", "/tours.x3d", "/tours?from=%3F&to=b", "/search",
+        "/search?q=", "/search?q=a&limit=0", "/search?q=a&limit=51", "/search?q=a&q=b", "/search?x=a"})
     get(target, 400);
   get("/search?q=" + std::string(121, 'a'), 400);
   EXPECT_EQ(get("/tours?from=nowhere&to=b", 404)["detail"], "There is no nowhere.");
@@ -78,8 +80,8 @@ TEST_F(TourRoutes, AnimateATourAsAWorld) {
   const auto response = routes_.respond({"GET", "/tours.x3d?from=a&to=b", {}});
   ASSERT_EQ(response.status, 200);
   EXPECT_EQ(field_of(response.fields, "Content-Type"), "model/x3d+xml");
-  for (const char* part : {"TOUR_EYE", "PositionInterpolator", "OrientationInterpolator", "sectors/s-main-w.x3d", "sectors/s-cross.x3d",
-                           "fromNode='TOUR_EYE'"})
+  for (const char* part : {"TOUR_EYE", "PositionInterpolator", "OrientationInterpolator", "sectors/s-main-w.x3d",
+                           "sectors/s-cross.x3d", "fromNode='TOUR_EYE'"})
     EXPECT_NE(response.body->find(part), std::string::npos) << part;
 }
 

@@ -86,7 +86,9 @@ TEST(CornerCaps, CutNothingOff) {
     ShortestWalk without(bare, bare_places, bare_graph), with(capped, capped_places, capped_graph);
     std::mt19937_64 random(seed);
     for (int i = 0; i < 30; ++i) {
-      const auto place = [&] { return capped_places.nearest(city.sectors[random() % city.sectors.size()].ground.outer[0], 5000); };
+      const auto place = [&] {
+        return capped_places.nearest(city.sectors[random() % city.sectors.size()].ground.outer[0], 5000);
+      };
       const auto from = place(), to = place();
       ASSERT_TRUE(from && to);
       const auto a = without.find(from->at, to->at), b = with.find(from->at, to->at);

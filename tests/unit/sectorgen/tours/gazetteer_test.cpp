@@ -4,11 +4,11 @@
 
 #include <random>
 
+#include "city_db/store.hpp"
 #include "sectorgen/tours/folded_text.hpp"
 #include "sectorgen/tours/guide.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
-#include "city_db/store.hpp"
 
 namespace vicus {
 namespace {
@@ -28,22 +28,25 @@ TEST(FoldedWords, LoseAccentsCaseAndAbbreviations) {
 TEST(Fit, RanksSameOverBeginningOverErrors) {
   EXPECT_EQ(fit("haute", "haute"), 1);
   EXPECT_GT(fit("haut", "haute"), fit("huate", "haute"));
-  EXPECT_GT(fit("hautw", "haute"), 0);      // wrong
-  EXPECT_GT(fit("haue", "haute"), 0);       // missing
-  EXPECT_GT(fit("hauute", "haute"), 0);     // too many
+  EXPECT_GT(fit("hautw", "haute"), 0);   // wrong
+  EXPECT_GT(fit("haue", "haute"), 0);    // missing
+  EXPECT_GT(fit("hauute", "haute"), 0);  // too many
   EXPECT_GT(fit("friedrihcsrtasse", "friedrichstrasse"), 0);
   EXPECT_EQ(fit("basse", "haute"), 0);
-  EXPECT_EQ(fit("rue", "run"), 0);          // too short to err
+  EXPECT_EQ(fit("rue", "run"), 0);  // too short to err
   EXPECT_EQ(fit("12", "13"), 0);
-  EXPECT_EQ(fit("1", "12"), 0);             // another house
+  EXPECT_EQ(fit("1", "12"), 0);  // another house
   EXPECT_GT(fit("12", "12a"), 0);
 }
 
 std::vector<NamedPlace> some_places() {
   std::vector<NamedPlace> places;
-  for (const auto& [name, kind, detail, weight] :
-       {std::tuple("Rue Haute", "street", "", 0.7), {"Rue Basse", "street", "", 0.7}, {"Place du Marché", "square", "", 0.9},
-        {"Rue Haute 12", "house", "", 0.2}, {"Rue Haute 1", "house", "", 0.2}, {"Chez Paul", "cafe", "Rue Basse 3", 0.4}}) {
+  for (const auto& [name, kind, detail, weight] : {std::tuple("Rue Haute", "street", "", 0.7),
+                                                   {"Rue Basse", "street", "", 0.7},
+                                                   {"Place du Marché", "square", "", 0.9},
+                                                   {"Rue Haute 12", "house", "", 0.2},
+                                                   {"Rue Haute 1", "house", "", 0.2},
+                                                   {"Chez Paul", "cafe", "Rue Basse 3", 0.4}}) {
     NamedPlace named;
     named.place.name = name;
     named.place.kind = kind;

@@ -7,8 +7,8 @@
 #include <map>
 #include <random>
 
-#include "sectorgen/geom/predicates.hpp"
 #include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/geom/predicates.hpp"
 #include "sectorgen/tours/corner_caps.hpp"
 #include "tests/support/built_city.hpp"
 #include "tests/support/random_partition.hpp"
@@ -167,7 +167,8 @@ TEST(ShortestWalk, NamesSectorsThatGatesJoinInOrder) {
       entered += found->sectors.size();
       ASSERT_FALSE(found->sectors.empty());
       for (std::size_t s = 0; s + 1 < found->sectors.size(); ++s) {
-        EXPECT_TRUE((joined[{city.sectors[found->sectors[s].sector].id, city.sectors[found->sectors[s + 1].sector].id}]));
+        EXPECT_TRUE(
+            (joined[{city.sectors[found->sectors[s].sector].id, city.sectors[found->sectors[s + 1].sector].id}]));
         EXPECT_LE(found->sectors[s].at_mm, found->sectors[s + 1].at_mm + 1e-6);
       }
       EXPECT_LE(found->sectors.back().at_mm, found->length_mm + 1e-6);
@@ -181,9 +182,10 @@ TEST(ShortestWalk, NamesSectorsThatGatesJoinInOrder) {
         };
         while (leg + 2 < found->points.size() && left > leg_mm()) left -= leg_mm(), ++leg;
         const double share = leg_mm() > 0 ? left / leg_mm() : 0;
-        const PlanPoint at{
-            static_cast<std::int32_t>(std::lround(found->points[leg].x + share * (found->points[leg + 1].x - found->points[leg].x))),
-            static_cast<std::int32_t>(std::lround(found->points[leg].y + share * (found->points[leg + 1].y - found->points[leg].y)))};
+        const PlanPoint at{static_cast<std::int32_t>(std::lround(
+                               found->points[leg].x + share * (found->points[leg + 1].x - found->points[leg].x))),
+                           static_cast<std::int32_t>(std::lround(
+                               found->points[leg].y + share * (found->points[leg + 1].y - found->points[leg].y)))};
         bool is_near = false;
         for (int dx = -2; dx <= 2; ++dx)
           for (int dy = -2; dy <= 2; ++dy)
