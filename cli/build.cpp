@@ -15,9 +15,9 @@
 #include "cli/tiles.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/geo/map_name.hpp"
-#include "sectorgen/impostors/bake_impostor.hpp"
+#include "sectorgen/bake/impostors/bake_impostor.hpp"
 #include "sectorgen/models/author_models.hpp"
-#include "sectorgen/render/city_mesh.hpp"
+#include "sectorgen/bake/render/city_mesh.hpp"
 #include "x3d_export/package.hpp"
 
 namespace vicus::cli {

@@ -5,9 +5,9 @@
 
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
-#include "sectorgen/picture/png.hpp"
-#include "sectorgen/render/city_mesh.hpp"
-#include "sectorgen/render/render.hpp"
+#include "sectorgen/bake/picture/png.hpp"
+#include "sectorgen/bake/render/city_mesh.hpp"
+#include "sectorgen/bake/render/render.hpp"
 #include "x3d_export/surroundings.hpp"
 
 namespace vicus::cli {

@@ -6,7 +6,7 @@
 
 #include "httpd/live_city.hpp"
 #include "httpd/tour_routes.hpp"
-#include "sectorgen/tours/guide.hpp"
+#include "sectorgen/sectors/tours/guide.hpp"
 
 /// One Guide for all threads of a server: made when the first visitor asks, and anew when another city lies under the
 /// path.

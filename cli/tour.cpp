@@ -6,7 +6,7 @@
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
-#include "sectorgen/tours/guide.hpp"
+#include "sectorgen/sectors/tours/guide.hpp"
 #include "x3d_export/tour_json.hpp"
 #include "x3d_export/tour_scene.hpp"
 #include "x3d_export/writers.hpp"

@@ -16,7 +16,7 @@
 #include "tests/support/flight.hpp"
 #include "x3d_export/coding.hpp"
 #ifdef VICUS_PICTURE
-#include "sectorgen/picture/flip.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
 #endif
 
 /// Figures and pictures of docs/blockmaps.md:

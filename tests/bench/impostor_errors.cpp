@@ -15,12 +15,12 @@
 
 #include "city_db/store.hpp"
 #include "city_db/terrain.hpp"
-#include "sectorgen/impostors/bake_impostor.hpp"
-#include "sectorgen/impostors/capture_point.hpp"
-#include "sectorgen/picture/flip.hpp"
-#include "sectorgen/picture/png.hpp"
-#include "sectorgen/render/city_mesh.hpp"
-#include "sectorgen/render/render.hpp"
+#include "sectorgen/bake/impostors/bake_impostor.hpp"
+#include "sectorgen/bake/impostors/capture_point.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
+#include "sectorgen/bake/picture/png.hpp"
+#include "sectorgen/bake/render/city_mesh.hpp"
+#include "sectorgen/bake/render/render.hpp"
 
 namespace {
 

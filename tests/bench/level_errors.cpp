@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "city_db/store.hpp"
-#include "sectorgen/picture/flip.hpp"
-#include "sectorgen/picture/silhouette.hpp"
-#include "sectorgen/picture/similarity.hpp"
-#include "sectorgen/render/city_mesh.hpp"
-#include "sectorgen/render/render.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
+#include "sectorgen/bake/picture/silhouette.hpp"
+#include "sectorgen/bake/picture/similarity.hpp"
+#include "sectorgen/bake/render/city_mesh.hpp"
+#include "sectorgen/bake/render/render.hpp"
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <limits>
 
-#include "sectorgen/picture/flip.hpp"
-#include "sectorgen/picture/png.hpp"
-#include "sectorgen/picture/silhouette.hpp"
-#include "sectorgen/picture/similarity.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
+#include "sectorgen/bake/picture/png.hpp"
+#include "sectorgen/bake/picture/silhouette.hpp"
+#include "sectorgen/bake/picture/similarity.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "city_db/store.hpp"
-#include "sectorgen/tours/corner_caps.hpp"
-#include "sectorgen/tours/shortest_walk.hpp"
+#include "sectorgen/sectors/tours/corner_caps.hpp"
+#include "sectorgen/sectors/tours/shortest_walk.hpp"
 
 /// How long it takes to find a walk: tour_bench CITY.gpkg [WALKS [CLEARANCE_MM]]. Both ends are drawn at random, each
 /// sector alike.

@@ -1,5 +1,5 @@
 #pragma once
-#include "sectorgen/picture/picture.hpp"
+#include "sectorgen/bake/picture/picture.hpp"
 
 namespace vicus::test {
 
