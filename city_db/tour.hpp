@@ -76,10 +76,10 @@ struct Tour {
 };
 
 struct TourQuery {
-  std::string tour;              ///< id of a TourProposal; then nothing else is given
-  std::string from, to;          ///< sector id, a street's or house's name, or LAT,LON
-  std::vector<std::string> via;  ///< in order
-  bool is_round = false;         ///< back to `from` at the end
+  std::string tour;                   ///< id of a TourProposal; then nothing else is given
+  std::string from, to;               ///< sector id, a street's or house's name, or LAT,LON
+  std::vector<std::string> via = {};  ///< in order
+  bool is_round = false;              ///< back to `from` at the end
 };
 
 struct TourProblem {

@@ -49,7 +49,7 @@ class TourRoutes : public testing::Test {
   test::ServedCity served_;
   TourQuery asked_;
   Routes routes_{served_.path(), std::make_shared<const StaticFiles>(served_.scratch / "x_ite"),
-                 std::make_shared<Metrics>(), some_desk(asked_)};
+                 std::make_shared<Metrics>(), nullptr, some_desk(asked_)};
 };
 
 TEST_F(TourRoutes, GiveATour) {
