@@ -18,9 +18,8 @@
 #define PRISM_HEADER_BYTES 76
 // After the header the palette, 3 bytes a colour, then the streams, varints (7 bits a byte, the low ones first; signed
 // ones zigzag). Houses come in Z order of their first points.
-#define PRISM_STREAM_SHAPE \
-  0                          // of a house: kind + 8 * owned + 16 * number of rings beyond the first; then of each
-                             // ring its points less 3
+// Shape of a house: kind + 8 * owned + 16 * number of rings beyond the first; then of each ring its points less 3.
+#define PRISM_STREAM_SHAPE 0
 #define PRISM_STREAM_EAST 1  // signed: first point of a house from that of the house before, then point to point
 #define PRISM_STREAM_NORTH 2
 #define PRISM_STREAM_GROUND 3  // signed: from the house before

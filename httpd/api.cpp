@@ -55,6 +55,15 @@ HttpResponse answer_api(const HttpRequest& request) {
   paths["/collections/{collectionId}/items/{featureId}"] =
       get("getFeature", "application/geo+json", "one feature",
           Json::array({collection, path_parameter("featureId", {{"type", "string"}})}));
+  const auto text = [](const char* name, const char* what) {
+    return query_parameter(name, what, {{"type", "string"}});
+  };
+  paths["/search"] = get("search", "application/json", "streets, squares, houses, shops and sights by name",
+                         Json::array({text("q", "a name, accents and typing errors forgiven")}));
+  paths["/tours"] =
+      get("getTour", "application/json", "the shortest walk, step by step; without parameters, ready ones",
+          Json::array({text("from", "a sector's id, a name, or LAT,LON"), text("to", "the same"),
+                       text("via", "the same; may be repeated")}));
   const Json api = {{"openapi", "3.0.3"},
                     {"info", {{"title", "Vicus"}, {"description", "A city's records"}, {"version", "1"}}},
                     {"paths", std::move(paths)}};

@@ -65,8 +65,9 @@ test(`a visitor of ${name} finds a place and is walked there`, { timeout: 900000
         await page.focus('#window');
         await page.keyboard.press('KeyK');   // from the beginning
         await page.waitForFunction(() => window.vicus.player.isPlaying);
-        await visitor.hold('KeyW', 300);
-        assert.equal(await page.evaluate(() => window.vicus.player.isPlaying), false);
+        await page.keyboard.down('KeyW');
+        await page.waitForFunction(() => !window.vicus.player.isPlaying);
+        await page.keyboard.up('KeyW');
         const other = await Visitor.open(browser.context, url);
         await other.page.waitForSelector('#player:not([hidden])', { timeout: 120000 });
         assert.deepEqual(other.complaints, []);

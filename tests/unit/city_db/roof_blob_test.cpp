@@ -38,7 +38,7 @@ TEST(RoofBlob, RefusesIndicesKindsAndPlacesThatCannotBe) {
   roof.facets[2].triangles[0] = 5;
   EXPECT_EQ(decode_roof(encode_roof(roof)), std::nullopt);
   roof = roof_with_a_gable();
-  roof.facets[0].kind = static_cast<FacetKind>(3);
+  roof.facets[0].kind = static_cast<FacetKind>(4);
   EXPECT_EQ(decode_roof(encode_roof(roof)), std::nullopt);
   roof = roof_with_a_gable();
   roof.points[0].at.x = kPlanLimit;
