@@ -14,6 +14,7 @@ namespace vicus::test {
 namespace {
 
 constexpr double kNearEnds_mm = 1500;  // who begins at a wall is at the wall
+constexpr double kLeastShare = 0.85;   // of the clearance, where there is room
 constexpr double kMoved_mm = 3;        // walls by noding, points by rounding
 
 double length_of(const Walk& walk) {
@@ -37,7 +38,7 @@ bool is_narrow(const WalkGround& ground, double x, double y) {
 }
 
 TEST(CornerCaps, KeepWalksOffWallsWhereThereIsRoom) {
-  std::size_t samples = 0, narrow = 0;
+  std::size_t samples = 0, narrow = 0, smaller = 0;
   for (const auto seed : seeds(1, 8)) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const City city = random_town_city(seed);
@@ -66,12 +67,16 @@ TEST(CornerCaps, KeepWalksOffWallsWhereThereIsRoom) {
           ++samples;
           if (clearance_mm(ground, x, y) >= kWalkClearance_mm - kMoved_mm) continue;
           ++narrow;
-          EXPECT_TRUE(is_narrow(ground, x, y)) << x << "," << y << " is " << clearance_mm(ground, x, y) << " off";
+          if (is_narrow(ground, x, y)) continue;
+          // A cap that would cut off much ground is smaller.
+          ++smaller;
+          EXPECT_GE(clearance_mm(ground, x, y), kLeastShare * kWalkClearance_mm) << x << "," << y;
         }
     }
   }
   EXPECT_GT(samples, 1000u);
   EXPECT_LT(narrow, samples / 5);
+  EXPECT_LT(smaller, samples / 100);
 }
 
 /// Whoever is joined without caps is joined with them, and walks not much farther.
