@@ -34,7 +34,7 @@ struct Arguments {
   bool strict = false;
   bool fresh_ids = false;
   bool no_tiles = false;
-  std::string over_roofs = "auto", impostors = "auto";
+  std::string over_roofs = "auto", impostors = "no";
 };
 
 /// Whole map to sectors, with what each stage cost so far: how the time left is guessed.
@@ -122,7 +122,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.buildings.empty()) options["buildings"] = arguments.buildings;
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
   if (arguments.over_roofs != "auto") options["over_roofs"] = arguments.over_roofs;
-  if (arguments.impostors != "auto") options["impostors"] = arguments.impostors;
+  if (arguments.impostors != "no") options["impostors"] = arguments.impostors;
   if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
   if (!arguments.photos.empty()) options["photos"] = std::filesystem::path(arguments.photos).filename().string();
   if (!arguments.models.empty()) options["models"] = std::filesystem::path(arguments.models).filename().string();
@@ -283,7 +283,7 @@ void add_build(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   command
       ->add_option("--impostors", arguments->impostors,
-                   "pictures shown in gates until what lies behind has come: yes, no, auto (yes up to " +
+                   "pictures shown in gates until what lies behind has come: no, yes, auto (yes up to " +
                        std::to_string(kSectorsWithImpostors) + " sectors)")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");

@@ -6,6 +6,8 @@ import { openBrowser, openTab } from './support/chromium.js';
 import { CityMap, startWithRoute } from './support/cityMap.js';
 import { cities, serveCity } from './support/vicusServer.js';
 
+process.env.VICUS_BUILD_OPTIONS = '--impostors yes';
+
 const kShots = process.env.VICUS_SHOTS ?? 'out';
 const [[name, make]] = Object.entries(cities());
 

@@ -53,6 +53,8 @@ async function assertSector(page, map, id, format) {
 
 /** Moves the eye in a straight line, 0.5 m a frame, as a navigation paradigm would. */
 async function moveTo(page, [east, north]) {
+    // X_ITE binds a world's viewpoint once nothing is on its way, pictures in gates included.
+    await page.waitForFunction(() => document.querySelector('x3d-canvas').browser.activeViewpoint, null, { timeout: 120000 });
     await page.evaluate(async ([east, north]) => {
         const { browser } = document.querySelector('x3d-canvas');
         for (let left = 1; left > 0;) {

@@ -32,7 +32,7 @@ export function cities() {
 
 function build(folder, input) {
     const city = join(folder, 'city.gpkg');
-    execFileSync(program(), ['build', input, '-o', city, '--quiet'], { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync(program(), ['build', input, '-o', city, '--quiet', ...(process.env.VICUS_BUILD_OPTIONS ?? '').split(' ').filter(Boolean)], { stdio: ['ignore', 'ignore', 'inherit'] });
     return city;
 }
 
