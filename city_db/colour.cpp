@@ -1,6 +1,11 @@
 #include "city_db/colour.hpp"
 
+#include <cmath>
+
 namespace vicus {
+
+double linear_of_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+double srgb_of_linear(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
 
 std::string hex_of(Colour c) {
   constexpr char kDigits[] = "0123456789abcdef";

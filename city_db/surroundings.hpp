@@ -1,9 +1,12 @@
 #pragma once
-#include "x3d_export/colours.hpp"
+#include "city_db/colour.hpp"
 
 /// Light and sky of every root world: for the scene, and for pictures that shall look like it.
 /// Frame   X3D axes.
 namespace vicus {
+
+/// At the horizon; the backdrop of end-of-city gates has it too, so that the city seems to end in haze.
+inline constexpr Colour kSkyColour{196, 213, 228};
 
 struct SunLight {
   double direction[3];  ///< the way the light goes; not of length 1

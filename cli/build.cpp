@@ -11,13 +11,13 @@
 #include <thread>
 
 #include "city_db/store.hpp"
+#include "cli/city_mesh.hpp"
 #include "cli/command.hpp"
 #include "cli/tiles.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
-#include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/bake/impostors/bake_impostor.hpp"
+#include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/models/author_models.hpp"
-#include "sectorgen/bake/render/city_mesh.hpp"
 #include "x3d_export/package.hpp"
 
 namespace vicus::cli {
@@ -188,7 +188,7 @@ void add_impostors(const Arguments& arguments, City& city) {
   const RayScene scene(city_mesh(index, textures_of(city), mesh));
   ImpostorOptions options;
   options.threads = arguments.threads;
-  city.impostors = bake_impostors(index, scene, options);
+  city.impostors = bake_impostors(city, scene, options);
 }
 
 void run(const Arguments& arguments, Context& context) {

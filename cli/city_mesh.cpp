@@ -1,4 +1,4 @@
-#include "sectorgen/bake/render/city_mesh.hpp"
+#include "cli/city_mesh.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "city_db/store.hpp"
+#include "city_db/surroundings.hpp"
+#include "cli/city_mesh.hpp"
 #include "cli/command.hpp"
 #include "sectorgen/bake/picture/png.hpp"
-#include "sectorgen/bake/render/city_mesh.hpp"
 #include "sectorgen/bake/render/render.hpp"
-#include "x3d_export/surroundings.hpp"
 
 namespace vicus::cli {
 namespace {

@@ -6,14 +6,11 @@
 /// Colours of what is no house: houses have theirs in the city file.
 namespace vicus {
 
-Colour ground_colour(SectorKind kind);
 /// Each channel times k >= 0, at most 255.
 Colour shaded(Colour c, double k);
 
 inline constexpr Colour kWallColour{150, 140, 126};
 inline constexpr Colour kFenceColour{96, 88, 76};
 inline constexpr Colour kParapetColour{170, 166, 156};
-/// At the horizon; the backdrop of end-of-city gates has it too, so that the city seems to end in haze.
-inline constexpr Colour kSkyColour{196, 213, 228};
 
 }  // namespace vicus

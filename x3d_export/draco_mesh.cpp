@@ -28,10 +28,9 @@ Vec3 normal_of(const X3dPoint& a, const X3dPoint& b, const X3dPoint& c) {
   return {static_cast<float>(x / length), static_cast<float>(y / length), static_cast<float>(z / length)};
 }
 
-/// sRGB to linear (IEC 61966-2-1): glTF's colours of vertices are linear.
+/// glTF's colours of vertices are linear.
 std::uint8_t linear(std::uint8_t channel) {
-  const double s = channel / 255.0;
-  return static_cast<std::uint8_t>(std::lround(255 * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4))));
+  return static_cast<std::uint8_t>(std::lround(255 * linear_of_srgb(channel / 255.0)));
 }
 
 /// A fan of triangles over faces of 3 or 4 corners; `extra` gives each corner's colour or place.

@@ -9,10 +9,10 @@
 #include <span>
 
 #include "city_db/boxes.hpp"
+#include "city_db/surroundings.hpp"
 #include "x3d_export/frames.hpp"
 #include "x3d_export/record.hpp"
 #include "x3d_export/sector_scene.hpp"
-#include "x3d_export/surroundings.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {

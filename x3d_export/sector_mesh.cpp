@@ -1,5 +1,7 @@
 #include "x3d_export/sector_mesh.hpp"
 
+#include "city_db/surroundings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -5,10 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "city_db/surroundings.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
-#include "x3d_export/surroundings.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include "sectorgen/geo/csv_fields.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 #include "sectorgen/models/gltf_scene.hpp"
 
@@ -13,24 +14,8 @@ namespace {
 
 constexpr double kMostSize_m = 1000;
 
-std::uint8_t srgb_of(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * s));
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else if (c != '\r')
-      cells.back() += c;
-  for (auto& cell : cells) {
-    const auto begin = cell.find_first_not_of(" \t"), end = cell.find_last_not_of(" \t");
-    cell = begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1);
-  }
-  return cells;
+std::uint8_t byte_of(double linear) {
+  return static_cast<std::uint8_t>(std::lround(255 * srgb_of_linear(std::clamp(linear, 0.0, 1.0))));
 }
 
 }  // namespace
@@ -69,7 +54,7 @@ Prototype read_model(const std::filesystem::path& path, const std::string& kind,
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     out.triangles.insert(out.triangles.end(), corners.begin(), corners.end());
-    out.colours.push_back({srgb_of(triangle.colour[0]), srgb_of(triangle.colour[1]), srgb_of(triangle.colour[2])});
+    out.colours.push_back({byte_of(triangle.colour[0]), byte_of(triangle.colour[1]), byte_of(triangle.colour[2])});
   }
   if (out.colours.empty())
     throw CityError(path.string() + ": is smaller than a millimetre; give its height in the list", 4);
@@ -83,10 +68,12 @@ std::vector<Prototype> read_model_list(const std::filesystem::path& list) {
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    const auto cells = cells_of(line);
-    if (cells[0].empty() || cells[0][0] == '#') continue;
+    if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
     const std::string where = list.string() + ", line " + std::to_string(number) + ": ";
-    if (cells.size() < 2 || cells.size() > 3 || cells[1].empty())
+    const auto fields = csv_fields(line);
+    if (!fields) throw CityError(where + "its quotation marks do not match", 4);
+    const auto& cells = *fields;
+    if (cells[0].empty() || cells.size() < 2 || cells.size() > 3 || cells[1].empty())
       throw CityError(where + "expected KIND,FILE[,HEIGHT_M], such as tree,lime.glb,12", 4);
     const bool has_height = cells.size() == 3 && !cells[2].empty();
     const auto height = has_height ? parse_metres(cells[2]) : std::optional(0.0);

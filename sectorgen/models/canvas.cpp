@@ -7,6 +7,12 @@
 
 namespace vicus {
 
+int texture_side(double pixels) {
+  constexpr int kLeast = 32, kMost = 512;
+  const int side = 1 << static_cast<int>(std::lround(std::log2(std::clamp(pixels, 1.0, 2.0 * kMost))));
+  return std::clamp(side, kLeast, kMost);
+}
+
 Paint paint_of(Colour c) { return {c.r / 255.0, c.g / 255.0, c.b / 255.0}; }
 
 Paint mix(Paint a, Paint b, double t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }

@@ -15,6 +15,9 @@ struct Paint {
 Paint paint_of(Colour colour);
 Paint mix(Paint a, Paint b, double share_of_b);
 
+/// Side of a texture that shall have about so many pixels: the nearest power of two, 32 ... 512.
+int texture_side(double pixels);
+
 /// Frame   metres, origin at the bottom left.
 class Canvas {
  public:

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <set>
 
+#include "city_db/colour.hpp"
 #include "city_db/issues.hpp"
 
 namespace vicus {
@@ -68,8 +69,6 @@ Point moved(const Matrix& m, const Point& p) {
   for (std::size_t r = 0; r < 3; ++r) out[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
   return out;
 }
-
-double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
 /// One accessor's numbers, each length checked against the bytes.
 class Numbers {
@@ -231,7 +230,8 @@ class SceneReader {
                             static_cast<std::size_t>(pixel(u, image.width))) *
                            static_cast<std::size_t>(image.component);
     Point out;
-    for (std::size_t c = 0; c < 3; ++c) out[c] = linear_of(image.image[at + (image.component >= 3 ? c : 0)] / 255.0);
+    for (std::size_t c = 0; c < 3; ++c)
+      out[c] = linear_of_srgb(image.image[at + (image.component >= 3 ? c : 0)] / 255.0);
     return out;
   }
 

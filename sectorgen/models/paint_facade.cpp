@@ -9,12 +9,6 @@ namespace vicus {
 namespace {
 
 constexpr double kPixelsPerMetre = 13;
-constexpr int kLeastSide = 32, kMostSide = 512;
-
-int power_of_two(double pixels) {
-  const int side = 1 << static_cast<int>(std::lround(std::log2(std::max(1.0, pixels))));
-  return std::clamp(side, kLeastSide, kMostSide);
-}
 
 class FacadePainter {
  public:
@@ -24,7 +18,7 @@ class FacadePainter {
         width_(pattern_width_m(facade)),
         height_(pattern_height_m(facade)),
         wall_(paint_of(colour)),
-        canvas_(power_of_two(width_ * kPixelsPerMetre), power_of_two(height_ * kPixelsPerMetre), width_, height_) {}
+        canvas_(texture_side(width_ * kPixelsPerMetre), texture_side(height_ * kPixelsPerMetre), width_, height_) {}
 
   Canvas paint() {
     canvas_.rectangle(0, 0, width_, height_, wall_);

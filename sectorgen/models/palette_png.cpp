@@ -5,11 +5,13 @@
 
 #include <cassert>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string_view>
 #include <vector>
 
 #include "city_db/issues.hpp"
+#include "city_db/steady_hash.hpp"
 
 namespace vicus {
 namespace {
@@ -119,6 +121,14 @@ std::string palette_png(std::span<const unsigned char> rgba, int width, int heig
   append_chunk(out, "IDAT", deflated(packed_rows(image, bits)));
   append_chunk(out, "IEND", {});
   return std::string(out.begin(), out.end());
+}
+
+Texture palette_texture(const Canvas& picture, int colours) {
+  Texture texture{"", picture.width(), picture.height(), palette_png(picture, colours)};
+  char id[17];
+  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(texture.png)));
+  texture.id = id;
+  return texture;
 }
 
 }  // namespace vicus

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 
+#include "city_db/city.hpp"
 #include "sectorgen/models/canvas.hpp"
 
 namespace vicus {
@@ -10,6 +11,9 @@ namespace vicus {
 /// Fails   CityError: out of memory.
 /// Source  paper 004 §4.2 (palettes in place of true colour); PNG by the W3C's second edition.
 std::string palette_png(const Canvas& picture, int colours);
+
+/// The same as a texture; its id is a hash of the PNG.
+Texture palette_texture(const Canvas& picture, int colours);
 
 /// The same of 4 bytes a pixel, top row first; the palette has opacities where some pixel has.
 /// Needs   4 * width * height bytes (assert).

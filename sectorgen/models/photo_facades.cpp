@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "city_db/facade_layout.hpp"
-#include "city_db/steady_hash.hpp"
 #include "sectorgen/models/palette_png.hpp"
 #include "sectorgen/models/rectify.hpp"
 #include "sectorgen/models/window_grid.hpp"
@@ -15,15 +13,8 @@ namespace vicus {
 namespace {
 
 constexpr double kPixelsPerMetre = 26;  // twice a painted facade's: a photo has more to show
-constexpr int kMostPixels = 512, kLeastPixels = 32;
 constexpr int kPhotoColours = 64;
 constexpr double kLookingThere_deg = 45;  // a facade looks where the table says within so much
-
-int power_of_two(double pixels) {
-  int size = kLeastPixels;
-  while (size < kMostPixels && size * std::numbers::sqrt2 < pixels) size *= 2;
-  return size;
-}
 
 /// Clockwise from north; ground on the left of a -> b, so the facade looks left.
 double heading_deg(const Facade& f) {
@@ -89,16 +80,14 @@ void hang_photos(const std::vector<FacadePhoto>& photos, City& city) {
       continue;
     }
     const double width_m = length_m(*facade), height_m = facade->top_m - facade->bottom_m;
-    const Canvas picture = rectified(photo.file, photo.corners, power_of_two(kPixelsPerMetre * width_m),
-                                     power_of_two(kPixelsPerMetre * height_m), width_m, height_m);
+    const Canvas picture = rectified(photo.file, photo.corners, texture_side(kPixelsPerMetre * width_m),
+                                     texture_side(kPixelsPerMetre * height_m), width_m, height_m);
     lay_out(photo, picture, *facade);
     const auto house = std::find_if(city.buildings.begin(), city.buildings.end(),
                                     [&](const Building& b) { return b.id == facade->building_id; });
     house->wall_colour = wall_colour(picture, *facade);
-    Texture texture{"", picture.width(), picture.height(), palette_png(picture, kPhotoColours)};
-    char id[17];
-    std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(texture.png)));
-    facade->texture = texture.id = id;
+    Texture texture = palette_texture(picture, kPhotoColours);
+    facade->texture = texture.id;
     city.textures.push_back(std::move(texture));
   }
 }

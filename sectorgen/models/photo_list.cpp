@@ -7,20 +7,11 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/issues.hpp"
+#include "sectorgen/geo/csv_fields.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 
 namespace vicus {
 namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    const auto begin = cell.find_first_not_of(" \t\r"), end = cell.find_last_not_of(" \t\r");
-    cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
-  }
-  return cells;
-}
 
 std::array<double, 8> corners_of(const std::string& text, const std::string& where) {
   std::array<double, 8> out{};
@@ -55,9 +46,11 @@ std::vector<FacadePhoto> read_photo_list(const std::filesystem::path& list) {
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    const auto cells = cells_of(line);
-    if (cells.empty() || cells[0].starts_with('#')) continue;
+    if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
     const std::string where = list.string() + ", line " + std::to_string(number) + ": ";
+    const auto fields = csv_fields(line);
+    if (!fields) throw CityError(where + "its quotation marks do not match", 4);
+    const auto& cells = *fields;
     if (columns.empty()) {
       for (std::size_t i = 0; i < cells.size(); ++i) columns[lower_case(cells[i])] = i;
       for (const auto& [name, at] : columns)

@@ -1,10 +1,8 @@
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <unordered_map>
 
 #include "city_db/run_parallel.hpp"
-#include "city_db/steady_hash.hpp"
 #include "sectorgen/models/facades.hpp"
 #include "sectorgen/models/paint_facade.hpp"
 #include "sectorgen/models/paint_openings.hpp"
@@ -15,14 +13,6 @@ namespace {
 
 constexpr int kFacadeColours = 16;  // 4 bits a pixel; more shows no better and doubles the bytes
 constexpr int kAtlasColours = 64;
-
-Texture texture_of(const Canvas& picture, int colours) {
-  Texture texture{"", picture.width(), picture.height(), palette_png(picture, colours)};
-  char id[17];
-  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(texture.png)));
-  texture.id = id;
-  return texture;
-}
 
 /// All that a picture depends on.
 auto picture_key(const Facade& facade, Colour wall) {
@@ -45,14 +35,14 @@ void paint_textures(City& city, unsigned threads) {
   std::vector<Texture> textures(pictures.size());
   run_parallel(pictures.size(), thread_count(threads), [&](std::size_t i, unsigned) {
     const auto& [colour, list] = pictures[i];
-    textures[i] = texture_of(paint_facade(image_pattern(city.facades[list.front()]), colour), kFacadeColours);
+    textures[i] = palette_texture(paint_facade(image_pattern(city.facades[list.front()]), colour), kFacadeColours);
   });
   std::map<std::string, Texture> by_id;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     for (const std::size_t facade : pictures[i].second) city.facades[facade].texture = textures[i].id;
     by_id.emplace(textures[i].id, std::move(textures[i]));
   }
-  Texture atlas = texture_of(paint_atlas(), kAtlasColours);
+  Texture atlas = palette_texture(paint_atlas(), kAtlasColours);
   city.meta["atlas"] = atlas.id;
   by_id.emplace(atlas.id, std::move(atlas));
   for (auto& texture : city.textures) by_id.emplace(texture.id, std::move(texture));

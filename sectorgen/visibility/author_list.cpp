@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "city_db/boxes.hpp"
+#include "sectorgen/geo/csv_fields.hpp"
 #include "sectorgen/geom/polygon.hpp"
 
 namespace vicus {
@@ -20,37 +21,6 @@ std::optional<double> number_in(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
   return value;
-}
-
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
-/// Fields of a line of CSV; nullopt: a quotation mark is left open, or text follows a closed one.
-std::optional<std::vector<std::string>> csv_fields(const std::string& line) {
-  std::vector<std::string> fields;
-  std::size_t at = 0;
-  for (;;) {
-    at = std::min(line.find_first_not_of(" \t", at), line.size());
-    std::string field;
-    if (at < line.size() && line[at] == '"') {
-      for (++at;; ++at) {
-        if (at >= line.size()) return std::nullopt;
-        if (line[at] == '"' && (++at >= line.size() || line[at] != '"')) break;
-        field += line[at];
-      }
-      at = std::min(line.find_first_not_of(" \t", at), line.size());
-      if (at < line.size() && line[at] != ',') return std::nullopt;
-    } else {
-      const auto end = std::min(line.find(',', at), line.size());
-      field = trimmed(line.substr(at, end - at));
-      at = end;
-    }
-    fields.push_back(std::move(field));
-    if (at >= line.size()) return fields;
-    ++at;
-  }
 }
 
 bool is_on_earth(const LatLon& p) { return std::abs(p.lat_deg) <= 90 && std::abs(p.lon_deg) <= 180; }

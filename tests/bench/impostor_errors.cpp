@@ -15,11 +15,11 @@
 
 #include "city_db/store.hpp"
 #include "city_db/terrain.hpp"
+#include "cli/city_mesh.hpp"
 #include "sectorgen/bake/impostors/bake_impostor.hpp"
 #include "sectorgen/bake/impostors/capture_point.hpp"
 #include "sectorgen/bake/picture/flip.hpp"
 #include "sectorgen/bake/picture/png.hpp"
-#include "sectorgen/bake/render/city_mesh.hpp"
 #include "sectorgen/bake/render/render.hpp"
 
 namespace {
@@ -146,6 +146,7 @@ int main(int argc, char** argv) {
   const City city = read_city(argv[1]);
   const CityReader reader(argv[1]);
   const CityIndex index(city);
+  const CityGround ground(city);
   const ImageSource image = [&](const std::string& id) {
     return reader.artefact("textures/" + id + ".png", {"identity"})->body;
   };
@@ -168,7 +169,7 @@ int main(int argc, char** argv) {
     bool is_pictured = true;
     for (Variant& v : all) {
       const double begin = seconds_now();
-      const auto impostor = bake_impostor(index, whole, gate, v.options);
+      const auto impostor = bake_impostor(ground, whole, gate, v.options);
       v.seconds += seconds_now() - begin;
       if (!(is_pictured = is_pictured && impostor)) break;
       v.bytes += static_cast<double>(impostor->png.size());

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "city_db/store.hpp"
+#include "cli/city_mesh.hpp"
 #include "sectorgen/bake/picture/flip.hpp"
 #include "sectorgen/bake/picture/silhouette.hpp"
 #include "sectorgen/bake/picture/similarity.hpp"
-#include "sectorgen/bake/render/city_mesh.hpp"
 #include "sectorgen/bake/render/render.hpp"
 
 namespace {

@@ -1,16 +1,8 @@
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "city_db/geometry_blob.hpp"
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
+#include "tests/fuzz/require.hpp"
 
 /// Any bytes: no crash, no read outside, and what is accepted encodes to something that decodes to the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -8,12 +7,9 @@
 #include "httpd/negotiate.hpp"
 #include "httpd/request_head.hpp"
 #include "httpd/url.hpp"
+#include "tests/fuzz/require.hpp"
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void check_url(std::string_view text) {
   using namespace vicus;

@@ -1,18 +1,10 @@
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "city_db/blockmap.hpp"
 #include "city_db/blockmap_paper.hpp"
 #include "city_db/prism_tile.hpp"
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
+#include "tests/fuzz/require.hpp"
 
 /// Any bytes: no crash, no read outside, and what is accepted encodes to something that decodes to the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

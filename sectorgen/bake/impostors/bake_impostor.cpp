@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "city_db/run_parallel.hpp"
+#include "city_db/surface_colour.hpp"
+#include "city_db/surroundings.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/impostors/capture_point.hpp"
 #include "sectorgen/bake/impostors/distant_view.hpp"
 #include "sectorgen/bake/render/render.hpp"
 #include "sectorgen/models/palette_png.hpp"
-#include "x3d_export/colours.hpp"
 
 namespace vicus {
 namespace {
@@ -47,16 +48,16 @@ CutOut with_foot(CutOut picture) {
 
 class ImpostorBaker {
  public:
-  ImpostorBaker(const CityIndex& index, const RayScene& scene, const Gate& gate, const ImpostorOptions& options)
-      : index_(index), scene_(scene), gate_(gate), options_(options) {}
+  ImpostorBaker(const CityGround& ground, const RayScene& scene, const Gate& gate, const ImpostorOptions& options)
+      : ground_(ground), scene_(scene), gate_(gate), options_(options) {}
 
   std::optional<GateImpostor> run() {
-    const Sector* sector = index_.sector(gate_.sector_id);
+    const Sector* sector = ground_.sector(gate_.sector_id);
     const GateWindow window = window_of(gate_);
     const Vec3 left = place(window.left), right = place(window.right);
     if (sector == nullptr || length(right - left) < kNarrowest_m) return std::nullopt;
     const PlanPoint eye = capture_point(*sector, gate_, options_.share);
-    const auto ground = [&](PlanPoint p) { return height_m(index_.city().terrain, p); };
+    const auto ground = [&](PlanPoint p) { return height_m(ground_.terrain(), p); };
     out_.gate_id = gate_.id;
     out_.sector_id = gate_.sector_id;
     out_.eye = eye;
@@ -148,7 +149,7 @@ class ImpostorBaker {
   const Surface* surface_at(const GateWindow& window) const {
     const Surface* best = nullptr;
     double least = INFINITY;
-    for (const Surface* s : index_.surfaces_of(gate_.sector_id)) {
+    for (const Surface* s : ground_.surfaces_of(gate_.sector_id)) {
       if (s->kind == SurfaceKind::kerb || s->kind == SurfaceKind::rail) continue;
       for (const GroundPoint& p : s->points) {
         const double d = std::hypot(p.at.x - (double(window.left.x) + window.right.x) / 2,
@@ -178,7 +179,7 @@ class ImpostorBaker {
     out_.png = palette_png(rgba, picture.width, picture.height, options_.colours);
   }
 
-  const CityIndex& index_;
+  const CityGround& ground_;
   const RayScene& scene_;
   const Gate& gate_;
   const ImpostorOptions& options_;
@@ -191,18 +192,19 @@ double displacement_px(double unit_px, double away_m, double plane_m, double thi
   return unit_px * away_m * std::abs(1 / plane_m - 1 / thing_m);
 }
 
-std::optional<GateImpostor> bake_impostor(const CityIndex& index, const RayScene& scene, const Gate& gate,
+std::optional<GateImpostor> bake_impostor(const CityGround& ground, const RayScene& scene, const Gate& gate,
                                           const ImpostorOptions& options) {
-  return ImpostorBaker(index, scene, gate, options).run();
+  return ImpostorBaker(ground, scene, gate, options).run();
 }
 
-std::vector<GateImpostor> bake_impostors(const CityIndex& index, const RayScene& scene, const ImpostorOptions& options,
+std::vector<GateImpostor> bake_impostors(const City& city, const RayScene& scene, const ImpostorOptions& options,
                                          const std::function<void(std::size_t)>& on_gate) {
-  const auto& gates = index.city().gates;
+  const CityGround ground(city);
+  const auto& gates = city.gates;
   std::vector<std::optional<GateImpostor>> found(gates.size());
   std::atomic<std::size_t> done{0};
   run_parallel(gates.size(), thread_count(options.threads), [&](std::size_t i, unsigned) {
-    found[i] = bake_impostor(index, scene, gates[i], options);
+    found[i] = bake_impostor(ground, scene, gates[i], options);
     const std::size_t count = ++done;
     if (on_gate) on_gate(count);
   });

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "city_db/city.hpp"
+#include "sectorgen/bake/impostors/city_ground.hpp"
 #include "sectorgen/bake/render/ray_scene.hpp"
-#include "x3d_export/city_index.hpp"
 
 /// Pictures of what lies beyond gates, taken of the city itself (paper 004 §4.1.7).
 namespace vicus {
@@ -34,11 +34,11 @@ inline constexpr double kValid_px = 2, kViewUnit_px = 579;
 /// `scene`: the whole city.
 /// Fails   CityError: out of memory.
 /// Source  paper 004 §4.1.7; research on image-based representations for plane and validity.
-std::optional<GateImpostor> bake_impostor(const CityIndex& index, const RayScene& scene, const Gate& gate,
+std::optional<GateImpostor> bake_impostor(const CityGround& ground, const RayScene& scene, const Gate& gate,
                                           const ImpostorOptions& options);
 
 /// Of all gates, in their order. `on_gate` is told how many are done, from any thread.
-std::vector<GateImpostor> bake_impostors(const CityIndex& index, const RayScene& scene, const ImpostorOptions& options,
+std::vector<GateImpostor> bake_impostors(const City& city, const RayScene& scene, const ImpostorOptions& options,
                                          const std::function<void(std::size_t done)>& on_gate = {});
 
 /// Displacement in pixels of a thing `thing_m` ahead of the capture point, shown by a picture `plane_m` ahead, for an

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "city_db/steady_hash.hpp"
+#include "city_db/surroundings.hpp"
 #include "sectorgen/bake/render/shading.hpp"
-#include "x3d_export/colours.hpp"
 
 namespace vicus {
 namespace {

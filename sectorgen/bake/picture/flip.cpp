@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "city_db/colour.hpp"
+
 namespace vicus {
 namespace {
 
@@ -45,8 +47,6 @@ const Triple& white() {
   static const Triple kWhite = times(kXyzFromRgb, {1, 1, 1});
   return kWhite;
 }
-
-double linear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 /// Y, Cx, Cz: the opponent colours in which an eye's sharpness is given.
 Triple opponent_from_rgb(const Triple& rgb) {
@@ -161,7 +161,7 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
   Plane grey(picture.width, picture.height);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const Rgb& p = picture.pixels[i];
-    const Triple v = opponent_from_rgb({linear(p[0]), linear(p[1]), linear(p[2])});
+    const Triple v = opponent_from_rgb({linear_of_srgb(p[0]), linear_of_srgb(p[1]), linear_of_srgb(p[2])});
     for (std::size_t k = 0; k < 3; ++k) channels[k].pixels[i] = v[k];
     grey.pixels[i] = (v[0] + 16) / 116;
   }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-#include "x3d_export/surroundings.hpp"
+#include "city_db/surroundings.hpp"
 
 namespace vicus {
 namespace {

@@ -2,7 +2,7 @@
 #include "sectorgen/bake/picture/picture.hpp"
 #include "sectorgen/bake/render/ray_scene.hpp"
 
-/// Colours as an X3D browser gives them in our root world: x3d_export/surroundings.hpp has light and sky.
+/// Colours as an X3D browser gives them in our root world: city_db/surroundings.hpp has light and sky.
 namespace vicus {
 
 /// The Background in the direction `way` (any length).

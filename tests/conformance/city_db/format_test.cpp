@@ -6,6 +6,7 @@
 
 #include "city_db/geometry_blob.hpp"
 #include "city_db/store.hpp"
+#include "tests/support/hex_dump.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -32,26 +33,12 @@ Rows query(const std::filesystem::path& path, const std::string& sql) {
   return rows;
 }
 
-/// The bytes of the ```hexdump block: after the offset, pairs of hex digits with one space between, then two spaces.
-std::string dumped_bytes(const std::string& text) {
-  const std::string fence = "```hexdump\n";
-  const auto begin = text.find(fence) + fence.size();
-  std::istringstream lines(text.substr(begin, text.find("```", begin) - begin));
-  std::string bytes;
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_EQ(std::stoul(line.substr(0, 4), nullptr, 16), bytes.size()) << line;
-    for (std::size_t at = 6; at + 1 < line.size() && line[at] != ' '; at += 3)
-      bytes.push_back(static_cast<char>(std::stoi(line.substr(at, 2), nullptr, 16)));
-  }
-  return bytes;
-}
-
 TEST(FormatMd, ShowsAGateAsTheEncoderWritesIt) {
   const City city = test::sample_city();
   const auto gate =
       std::find_if(city.gates.begin(), city.gates.end(), [](const Gate& g) { return g.id == "s-main-w-to-out"; });
   ASSERT_NE(gate, city.gates.end());
-  const std::string dump = dumped_bytes(format_md());
+  const std::string dump = test::dumped_bytes(0);
   EXPECT_EQ(dump.size(), 81u);
   EXPECT_EQ(dump, encode_line(gate->line));
   EXPECT_EQ(decode_line(dump), gate->line);

@@ -1,4 +1,4 @@
-#include "sectorgen/bake/render/city_mesh.hpp"
+#include "cli/city_mesh.hpp"
 
 #include <gtest/gtest.h>
 

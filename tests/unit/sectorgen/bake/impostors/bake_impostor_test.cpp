@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "cli/city_mesh.hpp"
 #include "sectorgen/bake/impostors/capture_point.hpp"
 #include "sectorgen/bake/picture/png.hpp"
-#include "sectorgen/bake/render/city_mesh.hpp"
 
 namespace vicus {
 namespace {
@@ -37,8 +37,8 @@ City street() {
 class StreetImpostors : public ::testing::Test {
  protected:
   const City city_ = street();
-  const CityIndex index_{city_};
-  const RayScene scene_{city_mesh(index_, textures_of(city_), {})};
+  const CityGround ground_{city_};
+  const RayScene scene_{city_mesh(CityIndex(city_), textures_of(city_), {})};
 };
 
 TEST_F(StreetImpostors, TheCapturePointIsTheFarthestThatSeesTheWholeGate) {
@@ -52,7 +52,7 @@ TEST_F(StreetImpostors, TheCapturePointIsTheFarthestThatSeesTheWholeGate) {
 TEST_F(StreetImpostors, WhatIsSeenThroughTheGateIsInThePicture) {
   ImpostorOptions options;
   options.colours = 256;
-  const auto impostor = bake_impostor(index_, scene_, city_.gates[0], options);
+  const auto impostor = bake_impostor(ground_, scene_, city_.gates[0], options);
   ASSERT_TRUE(impostor);
   EXPECT_EQ(impostor->left, at(0, 3));
   EXPECT_EQ(impostor->right, at(0, -3));
@@ -80,7 +80,7 @@ TEST_F(StreetImpostors, WhatIsSeenThroughTheGateIsInThePicture) {
 TEST_F(StreetImpostors, TheBestPlaneStandsAtTheMeanOfInverseDepths) {
   ImpostorOptions options;
   options.plane = ImpostorPlane::best;
-  const auto impostor = bake_impostor(index_, scene_, city_.gates[0], options);
+  const auto impostor = bake_impostor(ground_, scene_, city_.gates[0], options);
   ASSERT_TRUE(impostor);
   EXPECT_NEAR(1 / impostor->plane_m, (1 / impostor->near_m + 1 / impostor->far_m) / 2, 1e-9);
   // The picture fills the gate seen from the capture point: its corners are on the rays through the gate's.
@@ -97,7 +97,7 @@ TEST(Displacement, IsThatOfTheFormula) {
 }
 
 TEST_F(StreetImpostors, AnEndOfTheCityIsSolid) {
-  const auto impostor = bake_impostor(index_, scene_, city_.gates[2], {});
+  const auto impostor = bake_impostor(ground_, scene_, city_.gates[2], {});
   ASSERT_TRUE(impostor);
   EXPECT_TRUE(impostor->is_solid);
   EXPECT_GE(impostor->top_m, 15);
@@ -112,7 +112,7 @@ TEST_F(StreetImpostors, EqualForAnyNumberOfThreads) {
   ImpostorOptions one, three;
   one.threads = 1;
   three.threads = 3;
-  const auto a = bake_impostors(index_, scene_, one), b = bake_impostors(index_, scene_, three);
+  const auto a = bake_impostors(city_, scene_, one), b = bake_impostors(city_, scene_, three);
   ASSERT_EQ(a.size(), 3u);
   ASSERT_EQ(b.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
