@@ -23,7 +23,7 @@
 namespace vicus::cli {
 namespace {
 
-/// With more sectors pictures beyond gates are made on request only: a gate takes about 0.035 CPU s.
+/// Up to so many `--impostors auto` bakes pictures beyond gates: one takes about 0.035 CPU s.
 constexpr std::size_t kSectorsWithImpostors = 1500;
 
 struct Arguments {

@@ -32,7 +32,7 @@ double likeness(const std::vector<double>& signal, double lag) {
 
 /// The repeat in pixels, and the likeness there.
 std::optional<std::pair<double, double>> find_lag(const std::vector<double>& signal, double length_m, double least_m,
-                                                  double most_m) {
+                                                  double most_m, double sure) {
   const auto n = static_cast<double>(signal.size());
   double mean = 0, spread = 0;
   for (const double v : signal) mean += v / n;
@@ -48,7 +48,7 @@ std::optional<std::pair<double, double>> find_lag(const std::vector<double>& sig
   }
   if (peaks.empty()) return std::nullopt;
   const double best = std::max_element(peaks.begin(), peaks.end())->first;
-  if (best < kSure) return std::nullopt;
+  if (best < sure) return std::nullopt;
   const auto peak = std::find_if(peaks.begin(), peaks.end(), [&](const auto& p) { return p.first >= kAlmost * best; });
   return std::pair(peak->second, peak->first);
 }
@@ -60,7 +60,7 @@ std::optional<Repeats> find_bays(const Canvas& facade) {
   for (int x = 0; x < facade.width(); ++x)
     for (int y = 0; y < facade.height(); ++y)
       columns[static_cast<std::size_t>(x)] += brightness(facade.at(x, y)) / facade.height();
-  const auto found = find_lag(columns, facade.width_m(), 1.4, 6);
+  const auto found = find_lag(columns, facade.width_m(), 1.4, 6, kSureOfBays);
   if (!found) return std::nullopt;
   return Repeats{static_cast<int>(std::lround(facade.width() / found->first)), found->second};
 }
@@ -70,7 +70,7 @@ std::optional<Repeats> find_floors(const Canvas& facade) {
   for (int y = 0; y < facade.height(); ++y)
     for (int x = 0; x < facade.width(); ++x)
       rows[static_cast<std::size_t>(y)] += brightness(facade.at(x, y)) / facade.width();
-  const auto found = find_lag(rows, facade.height_m(), 2.4, 5);
+  const auto found = find_lag(rows, facade.height_m(), 2.4, 5, kSureOfFloors);
   if (!found) return std::nullopt;
   // The ground floor and the cornice are higher than a storey, together by less than one.
   return Repeats{static_cast<int>(facade.height() / found->first + 0.2), found->second};

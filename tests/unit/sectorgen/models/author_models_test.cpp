@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 
+#include "tests/support/map_checks.hpp"
 #include "tests/support/scratch.hpp"
 
 /// An author's glTF models as prototypes.
@@ -135,11 +136,10 @@ TEST(AuthorModels, StandForEachObjectOfTheirKindOrAreTold) {
 }
 
 TEST(AuthorModels, OfOthersAreRead) {
-  const char* set = std::getenv("VICUS_DATA");
-  const fs::path folder = fs::path(set ? set : "../shared/data") / "models-textures/kenney-city/models";
-  if (!fs::exists(folder)) GTEST_SKIP() << "real data is missing: set VICUS_DATA";
+  const auto data = real_data();
+  if (!data) GTEST_SKIP() << "real data is missing: set VICUS_DATA";
   int read = 0;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::directory_iterator(*data / "models-textures/kenney-city/models")) {
     if (entry.path().extension() != ".glb") continue;
     SCOPED_TRACE(entry.path().filename());
     const Prototype model = read_model(entry.path(), "tree", 5);

@@ -12,6 +12,7 @@
 #include "sectorgen/models/palette_png.hpp"
 #include "sectorgen/models/rectify.hpp"
 #include "sectorgen/models/window_grid.hpp"
+#include "tests/support/map_checks.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -114,6 +115,20 @@ TEST(WindowGrid, FindsBaysAndStoreysOfPaintedFacades) {
       }
   EXPECT_GT(sure, all / 2);
   EXPECT_EQ(wrong, 0);
+}
+
+TEST(WindowGrid, IsNotSureOfAnAerialView) {
+  const auto data = real_data();
+  if (!data) GTEST_SKIP() << "real data is missing: set VICUS_DATA";
+  int seen = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(*data / "citymodels-citygml/lyon-small-houses")) {
+    if (entry.path().extension() != ".jpg") continue;
+    ++seen;
+    const Canvas picture = rectified(entry.path(), std::nullopt, 512, 512, 15, 15);
+    EXPECT_FALSE(find_bays(picture)) << entry.path();
+    EXPECT_FALSE(find_floors(picture)) << entry.path();
+  }
+  EXPECT_EQ(seen, 2);
 }
 
 TEST(WindowGrid, IsNotSureOfNoiseNorOfAPlainWall) {
