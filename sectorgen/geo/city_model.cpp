@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <memory>
 
 #include "sectorgen/geo/gdal_degrees.hpp"
@@ -107,7 +108,8 @@ Stretch stretch_at(const CityModel& model) {
 
 /// One house's surfaces by use.
 struct Sorted {
-  std::vector<const ModelSurface*> ground, up, doors;
+  std::vector<const ModelSurface*> ground, up;
+  std::map<std::size_t, std::vector<const ModelSurface*>> doors;  // by element
   double foot = HUGE_VAL, top = -HUGE_VAL;
 };
 
@@ -122,7 +124,7 @@ Sorted sorted(const ModelObject& object) {
   std::vector<const ModelSurface*> down;
   for (const auto& surface : object.surfaces) {
     const double up = normal_of(surface).z;
-    if (surface.part == ModelPart::door) out.doors.push_back(&surface);
+    if (surface.part == ModelPart::door) out.doors[surface.element].push_back(&surface);
     // Semantics first: ground surfaces are often turned over.
     if (surface.part == ModelPart::ground)
       out.ground.push_back(&surface);
@@ -169,7 +171,7 @@ class ModelAdder {
     else
       for (const OGRGeometry* part : *outline->toGeometryCollection())
         if (wkbFlatten(part->getGeometryType()) == wkbPolygon) add_polygon(*part->toPolygon());
-    for (const ModelSurface* door : parts.doors) add_door(object, *door);
+    for (const auto& [element, surfaces] : parts.doors) add_door(object, surfaces);
     RawModel& model = models_.emplace_back();
     model.source_id = source_id;
     for (const ModelSurface* surface : parts.up) {
@@ -220,15 +222,19 @@ class ModelAdder {
           for (auto& p : ring) visit_one(p.at);
   }
 
-  void add_door(const ModelObject& object, const ModelSurface& door) {
-    LatLon middle{0, 0};
-    for (const ModelCorner& p : door.rings[0]) middle.lat_deg += p.y, middle.lon_deg += p.x;
-    const auto n = static_cast<double>(door.rings[0].size());
+  /// In the middle of all that the door is made of: leaves, frames, panes.
+  void add_door(const ModelObject& object, const std::vector<const ModelSurface*>& surfaces) {
+    double west = HUGE_VAL, south = HUGE_VAL, east = -HUGE_VAL, north = -HUGE_VAL;
+    for (const ModelSurface* surface : surfaces)
+      for (const ModelCorner& p : surface->rings[0]) {
+        west = std::min(west, p.x), east = std::max(east, p.x);
+        south = std::min(south, p.y), north = std::max(north, p.y);
+      }
     RawFeature& feature = features_.emplace_back();
     feature.theme = Theme::object;
     feature.source_id = file_ + "#" + object.id;
     feature.tags = {{"entrance", "yes"}};
-    feature.lines = {{{middle.lat_deg / n, middle.lon_deg / n}}};
+    feature.lines = {{{(south + north) / 2, (west + east) / 2}}};
   }
 
   DegreesOf& degrees_;

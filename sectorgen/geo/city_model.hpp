@@ -17,6 +17,7 @@ enum class ModelPart { other, ground, wall, roof, door };
 
 struct ModelSurface {
   ModelPart part = ModelPart::other;
+  std::size_t element = 0;  ///< which of its house's parts it belongs to: a door may have many surfaces
   std::vector<std::vector<ModelCorner>> rings;  ///< outer first; closed implicitly
 };
 

@@ -79,7 +79,7 @@ class GmlEvents {
     }
     if (element.starts_with("lod") && element.size() > 3 && std::isdigit(static_cast<unsigned char>(element[3])) != 0)
       lods_.emplace_back(open_.size(), element[3] - '0');
-    if (is_part(element)) parts_.emplace_back(open_.size(), part_of(element));
+    if (is_part(element)) parts_.push_back({open_.size(), part_of(element), ++elements_});
     if (element == "Polygon" || element == "Triangle" || element == "Rectangle") surface_ = {};
     if (element == "LinearRing") numbers_.clear();
   }
@@ -99,13 +99,18 @@ class GmlEvents {
       attribute(element);
     }
     if (!lods_.empty() && lods_.back().first == open_.size()) lods_.pop_back();
-    if (!parts_.empty() && parts_.back().first == open_.size()) parts_.pop_back();
+    if (!parts_.empty() && parts_.back().depth == open_.size()) parts_.pop_back();
     if (!houses_.empty() && houses_.back().depth == open_.size()) end_house();
     open_.pop_back();
     text_.clear();
   }
 
  private:
+  struct Part {
+    std::size_t depth = 0;
+    ModelPart part = ModelPart::other;
+    std::size_t element = 0;
+  };
   struct House {
     ModelObject object;
     std::size_t depth = 0;
@@ -126,7 +131,7 @@ class GmlEvents {
 
   void end_surface() {
     if (houses_.empty() || lods_.empty() || lods_.back().second > kRefined) return;
-    surface_.part = parts_.empty() ? ModelPart::other : parts_.back().second;
+    if (!parts_.empty()) surface_.part = parts_.back().part, surface_.element = parts_.back().element;
     houses_.back().by_lod[lods_.back().second].push_back(std::move(surface_));
     surface_ = {};
   }
@@ -161,10 +166,11 @@ class GmlEvents {
   std::vector<std::string> open_;
   std::vector<House> houses_;
   std::vector<std::pair<std::size_t, int>> lods_;  // depth, level
-  std::vector<std::pair<std::size_t, ModelPart>> parts_;
+  std::vector<Part> parts_;
   ModelSurface surface_;
   std::vector<double> numbers_;
   std::string text_;
+  std::size_t elements_ = 0;
   int unnamed_ = 0;
 };
 

@@ -108,8 +108,10 @@ class ObjectReader {
   void add(const Json& rings, const Json& value) {
     if (!rings.is_array()) throw ShapeError{"a surface that is no list of rings"};
     ModelSurface surface;
-    if (value.is_number_unsigned() && kinds_->is_array() && value.get<std::size_t>() < kinds_->size())
-      surface.part = part_of(text_of(member((*kinds_)[value.get<std::size_t>()], "type")));
+    if (value.is_number_unsigned() && kinds_->is_array() && value.get<std::size_t>() < kinds_->size()) {
+      surface.element = value.get<std::size_t>();
+      surface.part = part_of(text_of(member((*kinds_)[surface.element], "type")));
+    }
     for (const Json& ring : rings) {
       if (!ring.is_array()) throw ShapeError{"a ring that is no list of vertices"};
       auto& corners = surface.rings.emplace_back();

@@ -171,6 +171,27 @@ TEST(CityGml, GivesFootprintTagsAndRoof) {
   }
 }
 
+TEST(CityGml, HasOneEntranceForEachDoorHoweverManySurfacesItHas) {
+  const ScratchDirectory scratch;
+  std::string text = citygml("EPSG:25832", false);
+  const auto surface = [](double x) {
+    char list[200];
+    std::snprintf(list, sizeof list, "%.3f 5539109 42 %.3f 5539109 42 %.3f 5539109 44", 571666 + x, 571667 + x,
+                  571667 + x);
+    return std::string("<gml:Polygon><gml:exterior><gml:LinearRing><gml:posList>") + list +
+           "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>";
+  };
+  const auto door = [&](double x) {
+    return "<bldg:Door><bldg:lod2MultiSurface>" + surface(x) + surface(x + 0.5) +
+           "</bldg:lod2MultiSurface></bldg:Door>";
+  };
+  text.insert(text.find("</bldg:Building>"), door(2) + door(6));
+  const Loaded loaded = load_file(written(scratch, "a.gml", text));
+  ASSERT_EQ(loaded.map.objects.size(), 2u);
+  for (const auto& object : loaded.map.objects) EXPECT_EQ(object.kind, "door");
+  EXPECT_NEAR(metres(loaded.map.objects[1].at.x - loaded.map.objects[0].at.x), 4, 0.01);
+}
+
 TEST(CityGml, SaysWhatIsBroken) {
   const ScratchDirectory scratch;
   const std::string text = citygml("EPSG:25832", false);
