@@ -193,13 +193,12 @@ std::vector<RoofWish> guess_roofs(const City& city) {
     if (const auto form = tagged_form(b.tags)) {
       request.form = *form;
       wishes[i].source = RoofSource::tagged;
-    } else if (b.base_m > 0 || is_open_below(b.tags)) {
+    } else if (b.base_m > 0 || is_open_below(b.tags) || has_tag(b.tags, "building:part")) {
       request.form = RoofForm::flat;
     } else if (const auto voted = tagged.vote(b)) {
       request.form = *voted;
       wishes[i].source = RoofSource::neighbours;
-    } else if (in_paris && b.height_m - b.base_m >= kParisLow_m && box.width_m >= 3 &&
-               !has_tag(b.tags, "building:part")) {
+    } else if (in_paris && b.height_m - b.base_m >= kParisLow_m && box.width_m >= 3) {
       request.form = RoofForm::mansard;
       wishes[i].source = RoofSource::preset;
     } else {

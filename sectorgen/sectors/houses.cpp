@@ -34,6 +34,19 @@ std::string building_id(const std::string& source_id) {
   return id.empty() ? "b" : id;
 }
 
+/// What a part takes over from its house where it says nothing itself: what it is made of, and the main one whose it
+/// is.
+void inherit(const Tags& outline, bool is_main, Tags& part) {
+  static const std::set<std::string> looks = {"building",    "building:colour", "building:material",
+                                              "roof:colour", "roof:material",   "building:architecture",
+                                              "start_date"};
+  const auto is_shape = [](const std::string& key) {
+    return key.starts_with("roof:") || key.starts_with("building:") || key.starts_with("min_") || key == "height";
+  };
+  for (const auto& [key, value] : outline)
+    if (looks.contains(key) || (is_main && !is_shape(key))) part.emplace(key, value);
+}
+
 }  // namespace
 
 struct HouseWriter {
@@ -57,16 +70,18 @@ struct HouseWriter {
   void add(std::uint32_t house, Polygon area) {
     const Footprint& f = footprint(house);
     const House& h = plan.blocks.houses[house];
+    const Footprint& outline = map.footprints[h.outline];
     Building b;
-    b.id = new_id(f.source_id);
-    b.source_id = f.source_id;
-    b.name = f.name;
+    b.source_id = h.is_main ? outline.source_id : f.source_id;
+    b.id = new_id(b.source_id);
+    b.name = h.is_main && !outline.name.empty() ? outline.name : f.name;
     b.base_m = h.is_overhead ? h.base_m : 0;
-    b.height_m = std::max(f.height_m, b.base_m + 0.5);
-    b.eave_m = std::clamp(f.eave_m, b.base_m + 0.2, b.height_m);
+    b.height_m = std::max(h.height_m, b.base_m + 0.5);
+    b.eave_m = std::clamp(h.eave_m, b.base_m + 0.2, b.height_m);
     b.roof_shape = f.roof_shape;
     b.height_source = f.height_source;
     b.tags = f.tags;
+    if (h.outline != h.footprint) inherit(outline.tags, h.is_main, b.tags);
     b.footprint = std::move(area);
     buildings_of[house].push_back(static_cast<std::uint32_t>(city.buildings.size()));
     city.buildings.push_back(std::move(b));
@@ -162,7 +177,8 @@ struct HouseWriter {
           const PlanPoint p = r[i], q = r[(i + 1) % r.size()];
           if (std::binary_search(ground.begin(), ground.end(), std::make_pair(q, p))) continue;
           double bottom = -1;
-          facades.visit(q, p, [&](std::uint32_t house) { bottom = std::max(bottom, footprint(house).eave_m); });
+          facades.visit(q, p,
+                        [&](std::uint32_t house) { bottom = std::max(bottom, plan.blocks.houses[house].eave_m); });
           if (bottom < 0) {
             if (!std::binary_search(closed_edges.begin(), closed_edges.end(), std::make_pair(q, p))) continue;
             bottom = 0;

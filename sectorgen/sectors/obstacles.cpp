@@ -5,6 +5,7 @@
 #include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
+#include "sectorgen/sectors/building_parts.hpp"
 #include "sectorgen/sectors/overlay.hpp"
 
 namespace vicus {
@@ -125,6 +126,13 @@ void report_passage(const Axis& axis, const Footprint& house, std::vector<Issue>
                     axis.source_id, at});
 }
 
+/// What stands over the footprint's ground: one column, or those of its parts.
+std::vector<HouseColumn> columns_of(const SourceMap& map, const BuildingParts& parts, std::uint32_t footprint) {
+  if (parts.has_parts(footprint)) return parts.columns_of(footprint);
+  const Footprint& f = map.footprints[footprint];
+  return {{footprint, f.area, f.base_m, f.height_m, f.eave_m, true}};
+}
+
 void add_houses(const SourceMap& map, Blocks& blocks, std::vector<Issue>& issues) {
   std::vector<Stroke> passages;
   for (const auto& axis : map.axes)
@@ -132,28 +140,37 @@ void add_houses(const SourceMap& map, Blocks& blocks, std::vector<Issue>& issues
       passages.push_back({axis.line, std::clamp(axis.width_m / 2, kPassageHalfWidthMin, kPassageHalfWidthMax)});
   const Strokes strokes(std::move(passages));
   const Streets streets(map);
+  const BuildingParts parts(map);
   for (std::uint32_t i = 0; i < map.footprints.size(); ++i) {
     const Footprint& f = map.footprints[i];
-    if (f.is_part) continue;  // parts shape the model; their outline blocks the ground
-    if (f.base_m > kWalkUnderMetres) {
-      blocks.houses.push_back({i, f.area, true, f.base_m});
-      continue;
-    }
+    if (f.is_part || parts.is_part(i)) continue;
     auto near = strokes.near(box_of(f.area));
-    for (std::uint32_t k : unmapped_passages(map, streets, f.area)) {
-      near.push_back(street_stroke(map.axes[k]));
-      report_passage(map.axes[k], f, issues);
-    }
-    if (near.empty()) {
-      blocks.houses.push_back({i, f.area, false, 0});
-      continue;
-    }
-    const auto ways = stroke_outlines(near, Cap::square);
-    const double headroom = std::min(kPassageHeadroom, 0.7 * f.height_m);
-    for (auto& p : subtract(f.area, ways)) blocks.houses.push_back({i, std::move(p), false, 0});
-    for (auto& p : intersect(f.area, ways)) {
-      blocks.passages.push_back(p);
-      blocks.houses.push_back({i, std::move(p), true, headroom});
+    if (f.base_m <= kWalkUnderMetres)
+      for (std::uint32_t k : unmapped_passages(map, streets, f.area)) {
+        near.push_back(street_stroke(map.axes[k]));
+        report_passage(map.axes[k], f, issues);
+      }
+    const auto ways = near.empty() ? std::vector<Polygon>{} : stroke_outlines(near, Cap::square);
+    for (HouseColumn& column : columns_of(map, parts, i)) {
+      House house{column.footprint, {}, false, 0, column.top_m, column.eave_m, i, column.is_main};
+      const auto add = [&](Polygon area, bool is_overhead, double base_m) {
+        blocks.houses.push_back(house);
+        blocks.houses.back().area = std::move(area);
+        blocks.houses.back().is_overhead = is_overhead;
+        blocks.houses.back().base_m = base_m;
+      };
+      if (column.base_m > kWalkUnderMetres) {
+        add(std::move(column.area), true, column.base_m);
+      } else if (ways.empty()) {
+        add(std::move(column.area), false, 0);
+      } else {
+        const double headroom = std::min(kPassageHeadroom, 0.7 * column.top_m);
+        for (auto& p : subtract(column.area, ways)) add(std::move(p), false, 0);
+        for (auto& p : intersect(column.area, ways)) {
+          blocks.passages.push_back(p);
+          add(std::move(p), true, headroom);
+        }
+      }
     }
   }
 }

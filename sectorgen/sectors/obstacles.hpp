@@ -4,8 +4,8 @@
 #include "city_db/city.hpp"
 #include "sectorgen/geo/source_map.hpp"
 
-/// What stands on the ground, ready for noding: houses with their passages cut out, water without the bridges, walls
-/// with their openings.
+/// What stands on the ground, ready for noding: houses, column by column, with their passages cut out, water without
+/// the bridges, walls with their openings.
 namespace vicus {
 
 struct House {
@@ -13,6 +13,9 @@ struct House {
   Polygon area;
   bool is_overhead = false;  ///< above a passage, or base_m > kWalkUnderMetres: blocks nothing
   double base_m = 0;
+  double height_m = 0, eave_m = 0;  ///< as the footprint's, or of its column where the house is given in parts
+  std::uint32_t outline = 0;        ///< the house that the footprint is a part of; else the footprint itself
+  bool is_main = true;              ///< bears the name and number of its outline
 };
 
 struct Blocks {
