@@ -60,7 +60,7 @@ std::vector<RoofTriangle> roof_triangles(const Building& house) {
 
 double wall_top_m(const Building& house) { return house.eave_m > house.base_m ? house.eave_m : house.height_m; }
 
-void add_body(FaceList& faces, const Building& house) {
+void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn) {
   add_roof(faces, house);
   if (house.base_m > 0) {
     add_underside(faces, house);
@@ -69,7 +69,8 @@ void add_body(FaceList& faces, const Building& house) {
     return;
   }
   for (const auto& wall : house.side_walls)
-    faces.add_wall(wall.b, wall.a, wall.bottom_m, wall_top_m(house), house.wall_colour);
+    if (!is_drawn || !is_drawn(wall))
+      faces.add_wall(wall.b, wall.a, wall.bottom_m, wall_top_m(house), house.wall_colour);
 }
 
 void add_chimneys(FaceList& faces, const Building& house, int most) {

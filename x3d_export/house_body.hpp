@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "x3d_export/mesh.hpp"
 
 /// What of a house is no facade: roof, side walls, chimneys; all of a house that one walks under.
@@ -7,8 +9,9 @@ namespace vicus {
 /// Top of a house's walls, metres above ground: the eave, where the roof begins.
 double wall_top_m(const Building& house);
 
-/// Roof and side walls; of a house over a passage also its outer walls and underside.
-void add_body(FaceList& faces, const Building& house);
+/// Roof and side walls, but those that `is_drawn` is true of (may be empty); of a house over a passage also its outer
+/// walls and underside.
+void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn = {});
 
 inline constexpr int kChimneyTriangles = 10;
 /// At most `most` chimneys in the middle of the roof's largest triangles: one to 70 m2 of houses that are lived in.

@@ -136,10 +136,11 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
 
 /// Roofs, side walls and undersides of the houses that this sector sends.
 void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
+  const LeveledStretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : LeveledStretches();
   for (const Building* house : index.buildings_of(sector.id))
     if (is_drawn(*house, detail, index, sector)) {
       faces.set_lift(house->ground_m);
-      add_body(faces, *house);
+      add_body(faces, *house, [&](const SideWall& wall) { return levels.contains({wall.b, wall.a}); });
     }
 }
 

@@ -145,6 +145,7 @@ std::optional<Theme> theme_of_polygon(const Tags& tags) {
   if (towers.count(tag(tags, "man_made")) && !has_tag(tags, "building") && !is_below_ground(tags))
     return Theme::building;
   if (is_water(tags)) return Theme::water;
+  if (tag(tags, "man_made") == "bridge" && !is_below_ground(tags)) return Theme::deck;
   if (is_square(tags)) return Theme::square;
   const std::string& leisure = tag(tags, "leisure");
   if (leisure == "park" || leisure == "garden") return is_closed_to_visitors(tags) ? Theme::plot : Theme::park;

@@ -142,6 +142,7 @@ class Placer {
   static AreaKind area_kind(Theme theme) {
     if (theme == Theme::water) return AreaKind::water;
     if (theme == Theme::park) return AreaKind::park;
+    if (theme == Theme::deck) return AreaKind::deck;
     return theme == Theme::plot ? AreaKind::plot : AreaKind::square;
   }
 

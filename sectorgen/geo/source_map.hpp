@@ -37,7 +37,8 @@ struct Axis {
   std::vector<PlanPoint> line;  ///< >= 2 points, consecutive ones differ
 };
 
-enum class AreaKind { square, park, water, plot };
+/// deck: the outline of a bridge (man_made=bridge), walkable where a street leads over it.
+enum class AreaKind { square, park, water, plot, deck };
 
 struct Area {
   std::string source_id, name;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "city_db/house_parts.hpp"
 #include "city_db/steady_hash.hpp"
 
 namespace vicus {
@@ -50,7 +51,7 @@ FacadeStyle style_of(const Building& house) {
   if (material == "brick" || material == "bricks") return FacadeStyle::brick;
   if (material == "stone" || material == "sandstone" || material == "limestone") return FacadeStyle::stone;
   if (is_modern(house)) return FacadeStyle::modern;
-  const auto choice = steady_hash("style " + house.id) % 10;
+  const auto choice = steady_hash("style " + house_of(house)) % 10;
   if (house.eave_m - house.base_m >= kStoneFrom_m) return choice < 7 ? FacadeStyle::stone : FacadeStyle::plaster;
   return choice < 9 ? FacadeStyle::plaster : FacadeStyle::brick;
 }

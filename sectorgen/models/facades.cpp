@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "city_db/facade_layout.hpp"
+#include "city_db/house_parts.hpp"
 #include "sectorgen/models/facade_choice.hpp"
 #include "sectorgen/models/tag_colours.hpp"
 
@@ -48,7 +49,9 @@ class FacadeLayout {
       if (at == building_.end() || city_.buildings[at->second].base_m > 0) continue;
       add_border(border, city_.buildings[at->second]);
     }
+    add_upper_walls();
     for (std::size_t i = 0; i < city_.facades.size(); ++i) {
+      if (city_.facades[i].bottom_m > 0) continue;
       in_sector_[city_.facades[i].sector_id].push_back(i);
       of_house_[city_.facades[i].building_id].push_back(i);
     }
@@ -71,6 +74,40 @@ class FacadeLayout {
       if (!lay_out_bays(f)) continue;
       f.floors = floors_of(house, f.style, f.top_m);
       city_.facades.push_back(std::move(f));
+    }
+  }
+
+  /// Walls of a house's part above lower parts of the same house.
+  void add_upper_walls() {
+    std::map<std::pair<PlanPoint, PlanPoint>, const std::string*> house_at;  // by edge
+    for (const Building& part : city_.buildings) {
+      const auto house = part.tags.find(kPartOf);
+      if (house == part.tags.end() || part.base_m > 0) continue;
+      const auto add = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          house_at.emplace(std::pair(ring[i], ring[(i + 1) % ring.size()]), &house->second);
+      };
+      add(part.footprint.outer);
+      for (const Ring& hole : part.footprint.holes) add(hole);
+    }
+    for (const Building& part : city_.buildings) {
+      const auto house = part.tags.find(kPartOf);
+      if (house == part.tags.end() || part.base_m > 0) continue;
+      for (const SideWall& wall : part.side_walls) {
+        const auto below = house_at.find({wall.b, wall.a});
+        if (below == house_at.end() || *below->second != house->second) continue;
+        Facade f;
+        f.sector_id = part.sector_id;
+        f.building_id = part.id;
+        f.a = wall.b;
+        f.b = wall.a;
+        f.bottom_m = wall.bottom_m;
+        f.top_m = top_of(part);
+        f.style = style_of(part);
+        if (!lay_out_bays(f)) continue;
+        f.floors = floors_of(part, f.style, f.top_m - f.bottom_m);
+        city_.facades.push_back(std::move(f));
+      }
     }
   }
 

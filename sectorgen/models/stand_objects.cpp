@@ -75,7 +75,8 @@ class SignHanger {
     const Facade* best = nullptr;
     double least_mm = kSignReach_m * kMmPerMetre;
     for (const Facade* f : facades_[object.sector_id])
-      if (const double d = distance_to_segment_mm(object.at, f->a, f->b); d < least_mm && f->top_m > kLeastTop_m) {
+      if (const double d = distance_to_segment_mm(object.at, f->a, f->b);
+          d < least_mm && f->top_m > kLeastTop_m && f->bottom_m <= 0) {
         least_mm = d;
         best = f;
       }

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <span>
 
+#include "city_db/house_parts.hpp"
 #include "city_db/steady_hash.hpp"
 
 namespace vicus {
@@ -212,7 +213,7 @@ std::optional<Colour> parse_colour(std::string_view text) {
 
 Colour facade_colour(const Building& building, FacadeStyle style) {
   if (const auto colour = tagged_colour(building.tags, "building")) return *colour;
-  const auto hash = steady_hash(building.id);
+  const auto hash = steady_hash(house_of(building));
   if (style == FacadeStyle::stone) return colour_of(kStone[hash % std::size(kStone)]);
   if (style == FacadeStyle::brick) return colour_of(kBrick[hash % std::size(kBrick)]);
   return colour_of(kPlaster[hash % std::size(kPlaster)]);
@@ -220,7 +221,7 @@ Colour facade_colour(const Building& building, FacadeStyle style) {
 
 Colour roof_colour(const Building& building) {
   if (const auto colour = tagged_colour(building.tags, "roof")) return *colour;
-  return colour_of(kRoofs[steady_hash("roof " + building.id) % std::size(kRoofs)]);
+  return colour_of(kRoofs[steady_hash("roof " + house_of(building)) % std::size(kRoofs)]);
 }
 
 }  // namespace vicus

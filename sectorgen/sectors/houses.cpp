@@ -5,6 +5,7 @@
 #include <set>
 
 #include "city_db/boxes.hpp"
+#include "city_db/house_parts.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/sectors/box_index.hpp"
 
@@ -82,6 +83,7 @@ struct HouseWriter {
     b.height_source = f.height_source;
     b.tags = f.tags;
     if (h.outline != h.footprint) inherit(outline.tags, h.is_main, b.tags);
+    if (h.is_column) b.tags[kPartOf] = outline.source_id;
     b.footprint = std::move(area);
     buildings_of[house].push_back(static_cast<std::uint32_t>(city.buildings.size()));
     city.buildings.push_back(std::move(b));

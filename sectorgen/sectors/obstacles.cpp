@@ -152,7 +152,7 @@ void add_houses(const SourceMap& map, Blocks& blocks, std::vector<Issue>& issues
       }
     const auto ways = near.empty() ? std::vector<Polygon>{} : stroke_outlines(near, Cap::square);
     for (HouseColumn& column : columns_of(map, parts, i)) {
-      House house{column.footprint, {}, false, 0, column.top_m, column.eave_m, i, column.is_main};
+      House house{column.footprint, {}, false, 0, column.top_m, column.eave_m, i, column.is_main, parts.has_parts(i)};
       const auto add = [&](Polygon area, bool is_overhead, double base_m) {
         blocks.houses.push_back(house);
         blocks.houses.back().area = std::move(area);
@@ -183,14 +183,27 @@ void add_water(const SourceMap& map, Blocks& blocks) {
   for (const auto& axis : map.axes)
     if (!axis.is_passage) decks.push_back({axis.line, axis.width_m / 2 + 1});
   const Strokes strokes(std::move(decks));
+  const auto streets_over = [&](const Polygon& area) {
+    auto near = strokes.near(box_of(area));
+    std::erase_if(near, [&](const Stroke& s) { return !runs_over(s.line, area); });
+    return near;
+  };
+  std::vector<Polygon> outlines;  // decks as they are drawn, where a street leads over them
+  std::vector<PlanBox> boxes;
+  for (const auto& area : map.areas)
+    if (area.kind == AreaKind::deck && !streets_over(area.area).empty())
+      outlines.push_back(area.area), boxes.push_back(box_of(area.area));
+  const BoxIndex outline_index(std::move(boxes));
   for (const auto& area : map.areas) {
     if (area.kind != AreaKind::water) continue;
-    auto near = strokes.near(box_of(area.area));
-    std::erase_if(near, [&](const Stroke& s) { return !runs_over(s.line, area.area); });
-    if (near.empty())
+    const auto near = streets_over(area.area);
+    if (near.empty()) {
       blocks.water.push_back(area.area);
-    else
-      for (auto& p : subtract(area.area, stroke_outlines(near, Cap::flat))) blocks.water.push_back(std::move(p));
+      continue;
+    }
+    std::vector<Polygon> open = stroke_outlines(near, Cap::flat);
+    for (const std::uint32_t i : outline_index.meeting(box_of(area.area))) open.push_back(outlines[i]);
+    for (auto& p : subtract(area.area, open)) blocks.water.push_back(std::move(p));
   }
 }
 

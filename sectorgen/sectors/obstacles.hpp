@@ -16,6 +16,7 @@ struct House {
   double height_m = 0, eave_m = 0;  ///< as the footprint's, or of its column where the house is given in parts
   std::uint32_t outline = 0;        ///< the house that the footprint is a part of; else the footprint itself
   bool is_main = true;              ///< bears the name and number of its outline
+  bool is_column = false;           ///< one of several pieces that the outline's parts make
 };
 
 struct Blocks {

@@ -185,12 +185,15 @@ TEST(ReadOsm, AreasAndFencedAreasAreBoth) {
                             .way(2, {5, 6, 7, 8, 5}, {{"highway", "pedestrian"}, {"area", "yes"}})
                             .way(3, {9, 10, 11, 12, 9}, {{"natural", "water"}})
                             .way(4, {13, 14, 15, 16, 13}, {{"highway", "residential"}, {"junction", "roundabout"}})
+                            .corners(17, 400, 0, 40)
+                            .way(5, {17, 18, 19, 20, 17}, {{"man_made", "bridge"}, {"layer", "1"}})
                             .load();
-  ASSERT_EQ(loaded.map.areas.size(), 3u);
+  ASSERT_EQ(loaded.map.areas.size(), 4u);
   EXPECT_EQ(loaded.map.areas[0].kind, AreaKind::park);
   EXPECT_EQ(loaded.map.areas[0].name, "Park");
   EXPECT_EQ(loaded.map.areas[1].kind, AreaKind::square);
   EXPECT_EQ(loaded.map.areas[2].kind, AreaKind::water);
+  EXPECT_EQ(loaded.map.areas[3].kind, AreaKind::deck);
   ASSERT_EQ(loaded.map.barriers.size(), 1u);
   EXPECT_EQ(loaded.map.barriers[0].line.front(), loaded.map.barriers[0].line.back());
   ASSERT_EQ(loaded.map.axes.size(), 1u);

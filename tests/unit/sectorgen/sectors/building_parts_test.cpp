@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "city_db/house_parts.hpp"
 #include "sectorgen/geo/shared_area.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "tests/unit/sectorgen/sectors/drawn_map.hpp"
@@ -200,6 +201,15 @@ TEST(BuildingParts, AreHousesOfTheCity) {
   const bool rises = std::any_of(tower->side_walls.begin(), tower->side_walls.end(),
                                  [](const SideWall& w) { return w.bottom_m == 15; });
   EXPECT_TRUE(rises);  // above the nave
+  EXPECT_EQ(house_of(*nave), house_of(*tower));
+  const auto upper =
+      std::find_if(city.facades.begin(), city.facades.end(), [](const Facade& f) { return f.bottom_m > 0; });
+  ASSERT_NE(upper, city.facades.end());  // with windows, and no door up there
+  EXPECT_EQ(upper->building_id, tower->id);
+  EXPECT_EQ(upper->sector_id, tower->sector_id);
+  EXPECT_EQ(upper->bottom_m, 15);
+  EXPECT_EQ(upper->door_bay, -1);
+  EXPECT_EQ(std::count_if(city.facades.begin(), city.facades.end(), [](const Facade& f) { return f.bottom_m > 0; }), 1);
 }
 
 }  // namespace

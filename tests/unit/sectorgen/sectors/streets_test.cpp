@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sectorgen/geom/polygon.hpp"
 #include "tests/unit/sectorgen/sectors/drawn_map.hpp"
 
 /// Small maps drawn by hand: which sectors and gates they give.
@@ -104,6 +105,25 @@ TEST(Streets, ABridgeMayBeginAndEndJustAtTheBanks) {
   map.axes.push_back(street("Long Street", {at(102, 0), at(108, 0)}));
   map.axes.push_back(street("Long Street", {at(108, 0), at(260, 0)}));
   EXPECT_EQ(check_rules(built(std::move(map))).components, 1u);
+}
+
+TEST(Streets, ABridgesOutlineIsItsDeckWhereAStreetLeadsOverIt) {
+  SourceMap map = one_street();
+  std::erase_if(map.footprints, [](const Footprint& f) {
+    return f.source_id == "south10" || f.source_id == "north10" || f.source_id == "north11";
+  });
+  map.areas.push_back({"brook", "Brook", AreaKind::water, box(102, -60, 118, 60)});
+  map.areas.push_back({"bridge", "", AreaKind::deck, box(101, -6, 119, 14)});     // far broader than the street
+  map.areas.push_back({"railway", "", AreaKind::deck, box(101, -40, 119, -34)});  // nobody walks there
+  const City city = built(std::move(map));
+  const auto is_walkable = [&](PlanPoint p) {
+    return std::any_of(city.sectors.begin(), city.sectors.end(),
+                       [&](const Sector& s) { return locate(s.ground, p) != Side::outside; });
+  };
+  EXPECT_TRUE(is_walkable(at(110, 0)));
+  EXPECT_TRUE(is_walkable(at(110, 13)));
+  EXPECT_FALSE(is_walkable(at(110, 15)));
+  EXPECT_FALSE(is_walkable(at(110, -37)));
 }
 
 TEST(Streets, AWayAlongTheBankIsNoDeck) {

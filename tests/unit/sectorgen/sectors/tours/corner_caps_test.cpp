@@ -14,7 +14,7 @@ namespace vicus::test {
 namespace {
 
 constexpr double kNearEnds_mm = 1500;  // who begins at a wall is at the wall
-constexpr double kLeastShare = 0.85;   // of the clearance, where there is room
+constexpr double kLeastShare = 0.5;    // of the clearance, at corners whose cap would cut off ground were it whole
 constexpr double kMoved_mm = 3;        // walls by noding, points by rounding
 
 double length_of(const Walk& walk) {
