@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     std::vector<Issue> issues;
     for (auto& f : load_source_map(load, issues).footprints) plans.push_back(std::move(f.area));
   }
+  if (plans.empty()) return std::fputs("no footprints\n", stderr), 1;
   std::printf("%zu footprints\n%-12s %8s %8s %8s %8s %6s %6s %6s %8s %8s %9s\n", plans.size(), "form", "asked",
               "perturb", "other", "flat", "p50us", "p90us", "p99us", "max us", "total s", "facets");
   int faults = argc > 3 ? std::atoi(argv[3]) : 0;

@@ -197,6 +197,21 @@ double volume_m3(const Roof& roof) {
   return sum;
 }
 
+TEST(BuildRoof, LeavesPlansFlatThatAreNoHouse) {
+  Polygon comb;  // a coast, tagged as a house
+  for (int i = 0; i < 1000; ++i)
+    for (const PlanPoint p : {PlanPoint{0, 0}, {1000, 0}, {1000, 5000}, {2000, 5000}})
+      comb.outer.push_back({p.x + 2000 * i, p.y});
+  comb.outer.push_back({2'000'000, 100'000});
+  comb.outer.push_back({0, 100'000});
+  RoofRequest request;
+  request.form = RoofForm::hipped;
+  const BuiltRoof built = build_roof(comb, kEave_m, request);
+  EXPECT_EQ(built.rung, RoofRung::flat);
+  EXPECT_NE(built.fault.find("corners"), std::string::npos);
+  EXPECT_EQ(fault_of_roof(comb, kEave_m, built.roof), std::nullopt);
+}
+
 TEST(Wavefront, IsTheSameWithEventsFromAHeapAndByBruteForce) {
   std::size_t compared = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
