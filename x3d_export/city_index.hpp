@@ -26,8 +26,8 @@ struct RecordSource {
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
   std::function<std::vector<GateImpostor>(const std::string& sector_id)> impostors_of;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
-  std::function<std::vector<std::string>()> sector_ids;  ///< of the streets
-  std::function<std::string(const std::string& key)> meta;  ///< empty where there is none
+  std::function<std::vector<std::string>()> sector_ids;                ///< of the streets
+  std::function<std::string(const std::string& key)> meta;             ///< empty where there is none
 };
 
 /// Indices into the lists of a City, by sector, each list in id order (borders in the order they are stored).
