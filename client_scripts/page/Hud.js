@@ -1,5 +1,5 @@
 const kKindNames = {
-    street: 'Street', crossroads: 'Crossroads', square: 'Square', yard: 'Yard', passage: 'Passage', open: 'Open ground',
+    street: 'Street', crossroads: 'Crossroads', square: 'Square', yard: 'Yard', passage: 'Passage', open: 'Open ground', interior: 'Inside a house',
 };
 const kMessageSeconds = 4;
 
@@ -60,6 +60,13 @@ export class Hud {
     bytes(count) {
         if (count < 1e6) return `${Math.round(count / 1e3)} kB`;
         return `${(count / 1e6).toFixed(count < 1e7 ? 1 : 0)} MB`;
+    }
+
+    /** What one can do to the door that one stands before; null: there is none. */
+    showDoor(near) {
+        const button = this.at('door-button'), text = near?.isShut ? 'Open the door' : 'Shut the door';
+        if (button.hidden !== !near) button.hidden = !near;
+        if (near && button.firstChild.data !== text) button.firstChild.data = text;
     }
 
     /** A file that failed stays one while it is asked for again. */

@@ -1,3 +1,4 @@
+import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
@@ -85,6 +86,17 @@ export class XIteAdapter {
     /** How much the picture in a gate shows, 0 ... 1. */
     setImpostor(scene, gate, opacity) {
         fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
+    }
+
+    /** Opens a door and lights what is behind it, as core/Doors has it. */
+    setDoor(scene, door, look) {
+        const { SFRotation, SFColor } = this.X3D;
+        paintDoor(door, look, { find: name => scene.getNamedNode(name), rotation: (...v) => new SFRotation(...v), color: (...v) => new SFColor(...v) });
+    }
+
+    /** s: when a door was clicked last, 0: never. */
+    touchTime(scene, door) {
+        return scene.getNamedNode(`DOOR-TOUCH-${door}`).touchTime;
     }
 
     /** [{ name, east, north, heading }] in a sector's scene, `origin` its place in plan. */
