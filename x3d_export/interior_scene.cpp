@@ -11,10 +11,10 @@ namespace vicus {
 namespace {
 
 constexpr double kSkirting_m = 0.12, kLampBelow_m = 0.55, kShade_m = 0.18;
-constexpr double kLightReach_m = 14, kLight = 0.55;
-constexpr Colour kFloor{142, 104, 70}, kSkirtingColour{112, 88, 66}, kCeiling{238, 235, 228}, kDoorway{226, 220, 208},
+constexpr double kLightReach_m = 14, kLight = 0.3;
+constexpr Colour kFloor{124, 92, 64}, kSkirtingColour{96, 78, 60}, kCeiling{150, 147, 140}, kDoorway{172, 166, 154},
     kShade{240, 214, 150}, kCord{60, 56, 52};
-constexpr Colour kWalls[] = {{222, 212, 190}, {204, 212, 200}, {206, 208, 218}, {220, 200, 188}};
+constexpr Colour kWalls[] = {{176, 166, 146}, {158, 166, 154}, {160, 163, 172}, {176, 156, 144}};
 
 Colour wall_colour(const std::string& id) {
   std::uint32_t hash = 2166136261u;
@@ -37,13 +37,13 @@ class RoomFaces {
 
   InteriorFaces run() {
     const Sector& sector = interior_.sector;
-    FaceList floor(sector.origin);
+    FaceList floor(sector.origin), ceiling(sector.origin);
     floor.add_floor(sector.ground, sector.ground_triangles, interior_.floor_m, kFloor, false);
-    rest_.add_floor(sector.ground, sector.ground_triangles, top_m(), kCeiling, true);
+    ceiling.add_floor(sector.ground, sector.ground_triangles, top_m(), kCeiling, true);
     add_ring(sector.ground.outer);
     for (const Ring& hole : sector.ground.holes) add_ring(hole);
     add_lamp();
-    return {floor.take(), rest_.take()};
+    return {floor.take(), ceiling.take(), rest_.take()};
   }
 
  private:
@@ -101,7 +101,15 @@ Node lamp_light(const Interior& interior) {
   Node light("PointLight");
   light.set("location", std::vector<double>{metres(p.x), metres(p.y), metres(p.z)});
   light.set("color", std::vector<double>{1, 0.93, 0.8});
-  return light.set("intensity", kLight).set("ambientIntensity", 0.35).set("radius", kLightReach_m);
+  return light.set("intensity", kLight).set("ambientIntensity", 0.2).set("radius", kLightReach_m);
+}
+
+Node ceiling_shape(const std::vector<Face>& faces) {
+  Node shape = shape_of("CEILING", Shading::solid, faces);
+  for (auto& field : shape.nodes)
+    if (field.name == "appearance")
+      field.nodes.front().nodes.front().nodes.front().set("emissiveColor", std::vector<double>{0.42, 0.4, 0.36});
+  return shape;
 }
 
 }  // namespace
@@ -117,6 +125,7 @@ ExportFile interior_file(const CityIndex& index, const Interior& interior, Scene
   const InteriorFaces faces = interior_faces(index, interior);
   std::vector<Node> content = door_nodes(index, sector);
   content.push_back(shape_of("GROUND", Shading::solid, faces.floor));
+  content.push_back(ceiling_shape(faces.ceiling));
   content.push_back(shape_of("ROOM", Shading::solid, faces.rest));
   int shapes = 0;
   for (const Node& node : content) shapes += count_shapes(node);

@@ -4,10 +4,10 @@
 /// An interior as a file: sectors/ID.x3d, in the form of every near sector file (record, GROUND, doors).
 namespace vicus {
 
-/// Floor, walls with their doorways, ceiling; seen from inside. Floor alone: `floor`, all else: `rest`.
+/// Floor, walls with their doorways, lamp; seen from inside. The ceiling apart: no light of the street's reaches it.
 /// Frame   the interior's own.
 struct InteriorFaces {
-  std::vector<Face> floor, rest;
+  std::vector<Face> floor, ceiling, rest;
 };
 InteriorFaces interior_faces(const CityIndex& index, const Interior& interior);
 

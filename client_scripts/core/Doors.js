@@ -5,7 +5,7 @@ const kLightSeconds = 0.5, kOpenSeconds = 1.6, kShutSeconds = 1.2;
 /** Share of the way from which on a leaf lets somebody through. */
 const kPassable = 0.6;
 /** mm: who is so near is in the doorway; so far behind a door is deep inside, as long as the room is not smaller. */
-const kDoorwayMm = 1000, kDeepMm = 2000, kDeepShare = 0.6;
+const kDoorwayMm = 1000, kDeepMm = 1500, kDeepShare = 0.6;
 /** mm: who came so near may walk through; who is so far again does not. */
 const kComeMm = 4000, kGoneMm = 8000;
 /** s until a door shuts before which nobody came; until one is given up behind which nothing can be had. */
@@ -53,12 +53,16 @@ export class Doors {
         return [...this.states.values()].filter(({ angle }) => angle >= kPassable).flatMap(({ door }) => [door.id, door.twin]);
     }
 
-    /** The nearest door of the visitor's sector within reach, as { door, isShut }, or null. */
-    near(point, sector) {
-        let best = null, least = kReachMm;
+    /**
+     * The door of the visitor's sector within reach that he means, as { door, isShut }, or null: the nearest, one at his
+     * back counting as three times as far. `heading`: radians clockwise from north.
+     */
+    near(point, sector, heading) {
+        let best = null, least = Infinity;
         for (const door of sector?.doors ?? []) {
-            const far = distanceToLine(door.line, point);
-            if (far < least) [best, least] = [door, far];
+            const far = distanceToLine(door.line, point), [east, north] = middleOf(door.line).map((value, i) => value - point[i]);
+            const ahead = (east * Math.sin(heading) + north * Math.cos(heading)) / (Math.hypot(east, north) || 1);
+            if (far <= kReachMm && far * (2 - ahead) < least) [best, least] = [door, far * (2 - ahead)];
         }
         return best && { door: best, isShut: !this.states.has(pairOf(best)) };
     }
@@ -132,8 +136,12 @@ function advance(state, now, seconds, point, current, sectors, isLive) {
 /** mm behind the door at which somebody is deep inside. */
 function deepBehind({ line }, sector) {
     if (!sector?.ground) return kDeepMm;
-    const middle = [(line[0][0] + line[1][0]) / 2, (line[0][1] + line[1][1]) / 2];
+    const middle = middleOf(line);
     return Math.min(kDeepMm, kDeepShare * Math.max(...sector.ground[0].map(corner => distance(corner, middle))));
+}
+
+function middleOf([a, b]) {
+    return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }
 
 /** How a leaf turns, rad: inwards, and farther than square to the wall. */

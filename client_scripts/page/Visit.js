@@ -44,7 +44,7 @@ export class Visit {
 
     /** { door, isShut } that he stands before, or null. */
     doorNear(pose) {
-        return this.loader.doors.near([pose.east * 1000, pose.north * 1000], this.planner.sectors.get(this.current));
+        return this.loader.doors.near([pose.east * 1000, pose.north * 1000], this.planner.sectors.get(this.current), pose.heading);
     }
 
     /** Opens the door that he stands before, or shuts it. */
