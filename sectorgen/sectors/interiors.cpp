@@ -116,8 +116,10 @@ class InteriorWriter {
       const PlanPoint at = room.area.outer.empty() ? PlanPoint{} : room.area.outer.front();
       const Building* house = house_of(room);
       if (!house) {
-        issue(IssueCode::room_outside, "The room lies in no house that stands on the ground; left out.", room.source_id,
-              at);
+        issue(IssueCode::room_outside,
+              room.house.empty() ? "The room lies in no house that stands on the ground; left out."
+                                 : "No house on the ground has the id " + room.house + "; its room was left out.",
+              room.source_id, at);
       } else if (!room.is_on_ground_floor) {
         auto& [count, first] = upstairs[house->id];
         if (++count == 1) first = &room;
