@@ -3,16 +3,16 @@ const kKindNames = {
 };
 const kMessageSeconds = 4;
 
-/** The words and bars over the 3D view. Needs the elements of index.html. */
+/** The words and bars over the 3D view. Needs the elements of index.html; dialogs may be missing (x3dom.html). */
 export class Hud {
     constructor(page = document) {
         this.page = page;
         this.loading = '';
         this.at = id => page.getElementById(id);
-        this.at('help-button').addEventListener('click', () => this.toggleHelp());
-        this.at('help-close').addEventListener('click', () => this.toggleHelp(false));
-        this.at('settings-close').addEventListener('click', () => this.toggleSettings(false));
-        this.at('find-close').addEventListener('click', () => this.toggleFind(false));
+        this.at('help-button')?.addEventListener('click', () => this.toggleHelp());
+        this.at('help-close')?.addEventListener('click', () => this.toggleHelp(false));
+        this.at('settings-close')?.addEventListener('click', () => this.toggleSettings(false));
+        this.at('find-close')?.addEventListener('click', () => this.toggleFind(false));
         this.timer = 0;
         this.city = 'Vicus';
     }
