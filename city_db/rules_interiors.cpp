@@ -6,7 +6,7 @@
 #include "city_db/rules_exact.hpp"
 #include "city_db/rules_parts.hpp"
 #include "city_db/segment.hpp"
-#include "city_db/wall_pieces.hpp"
+#include "city_db/wall_stretches.hpp"
 
 /// Interiors: no part of the walkable ground, so they have rules of their own, under the headings of DESIGN §3.
 namespace vicus::rules {

@@ -8,7 +8,7 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
-#include "city_db/wall_pieces.hpp"
+#include "city_db/wall_stretches.hpp"
 #include "x3d_export/facade_levels.hpp"
 #include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
@@ -77,9 +77,9 @@ void add_surfaces(FaceList& faces, const CityIndex& index, const Sector& sector)
 }
 
 /// A wall with doors in it: what is beside, above and below them.
-void add_pieces(FaceList& faces, const std::vector<WallPiece>& pieces, const Building& house,
+void add_pieces(FaceList& faces, const std::vector<WallStretch>& pieces, const Building& house,
                 const LeveledStretches& levels) {
-  for (const WallPiece& piece : pieces) {
+  for (const WallStretch& piece : pieces) {
     const auto leveled = levels.find({piece.a, piece.b});
     const double top_m = leveled == levels.end() ? wall_top_m(house) : leveled->second;
     const double sill_m = piece.door ? piece.door->sill_m - house.ground_m : top_m;
@@ -93,7 +93,7 @@ void add_walls_without_levels(FaceList& faces, const Border& border, const Build
                               const LeveledStretches& levels, const std::vector<const Door*>& doors) {
   const auto runs = straight_runs(border.line);
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    const auto pieces = wall_pieces(border.line[runs[i]], border.line[runs[i + 1]], doors);
+    const auto pieces = wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors);
     if (pieces.size() != 1 || pieces.front().door) {
       add_pieces(faces, pieces, house, levels);
       continue;

@@ -9,7 +9,7 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
-#include "city_db/wall_pieces.hpp"
+#include "city_db/wall_stretches.hpp"
 #include "sectorgen/models/facade_choice.hpp"
 #include "sectorgen/models/tag_colours.hpp"
 
@@ -63,8 +63,8 @@ class FacadeLayout {
   void add_border(const Border& border, const Building& house) {
     const auto runs = straight_runs(border.line);
     for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-      for (const WallPiece& piece :
-           wall_pieces(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]))
+      for (const WallStretch& piece :
+           wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]))
         if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b);
   }
 

@@ -1,4 +1,4 @@
-#include "city_db/wall_pieces.hpp"
+#include "city_db/wall_stretches.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace vicus {
 
-std::vector<WallPiece> wall_pieces(PlanPoint a, PlanPoint b, const std::vector<const Door*>& doors) {
+std::vector<WallStretch> wall_stretches(PlanPoint a, PlanPoint b, const std::vector<const Door*>& doors) {
   const auto along = [&](PlanPoint p) {
     return (double(p.x) - a.x) * (double(b.x) - a.x) + (double(p.y) - a.y) * (double(b.y) - a.y);
   };
@@ -16,7 +16,7 @@ std::vector<WallPiece> wall_pieces(PlanPoint a, PlanPoint b, const std::vector<c
         along(d->a) < along(d->b))
       own.push_back(d);
   std::sort(own.begin(), own.end(), [&](const Door* x, const Door* y) { return along(x->a) < along(y->a); });
-  std::vector<WallPiece> pieces;
+  std::vector<WallStretch> pieces;
   PlanPoint from = a;
   for (const Door* d : own) {
     if (from != d->a) pieces.push_back({from, d->a, nullptr});

@@ -6,7 +6,7 @@
 namespace vicus {
 
 /// A straight part of a wall; with a door, the part that the door stands in.
-struct WallPiece {
+struct WallStretch {
   PlanPoint a, b;
   const Door* door = nullptr;
 };
@@ -14,6 +14,6 @@ struct WallPiece {
 /// The stretch a-b of a wall, ground on the left, taken apart at those of the doors that stand in it.
 /// Error   a piece's ends are off the stretch by as much as the doors are: doors within kWallReach_mm count.
 inline constexpr double kWallReach_mm = 12;
-std::vector<WallPiece> wall_pieces(PlanPoint a, PlanPoint b, const std::vector<const Door*>& doors);
+std::vector<WallStretch> wall_stretches(PlanPoint a, PlanPoint b, const std::vector<const Door*>& doors);
 
 }  // namespace vicus
