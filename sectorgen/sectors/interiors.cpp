@@ -103,7 +103,7 @@ class InteriorWriter {
       const PlanBox b = box_of(room.area);
       const std::int32_t y = b.min.y + (b.max.y - b.min.y) / 2;
       if (inside_length_m({b.min.x - 1, y}, {b.max.x + 1, y}, room.area, middle) > 0 &&
-          locate(house->footprint, middle) == Side::inside)
+          locate(Polygon{house->footprint.outer, {}}, middle) == Side::inside)  // a light well may pierce the room
         return house;
     }
     return nullptr;

@@ -6,8 +6,9 @@
  *     node tests/bench/throttledTour.js http://127.0.0.1:8080 [METRES] [SPEEDxMBIT ...]      1.4x20 5x4 ...
  *     node tests/bench/throttledTour.js http://127.0.0.1:8080 soak [KM] [SPEED]
  *
- * A walk takes METRES / SPEED seconds; nothing is accelerated. Looked at in every frame: is a file of each sector there that L_vis of
- * the visitor's sector names (near, far or tall); of each that a gate leads to; and if not, does a picture stand in that gate.
+ * A walk takes METRES / SPEED seconds; nothing is accelerated. Looked at in every frame: is a
+ * file there (near, far or tall) of each sector that L_vis of the visitor's sector names; of each of those that it does not see over roofs
+ * alone; of each that a gate leads to; and if not, does a picture stand in that gate.
  * `soak` walks on and on and tells the page's heap after each km, garbage collected before.
  */
 import { openBrowser, openTab } from '../browser/support/chromium.js';
@@ -51,7 +52,7 @@ async function openPage(browser, start, mbit) {
 /* Runs in the page: walks `metres` along the points at `speed` from where it stopped before. */
 async function walkAlong({ points, speed, metres }) {
     const { view, visit } = window.vicus, { planner, impostors } = visit.loader;
-    const seen = { seconds: 0, missing: 0, gateMissing: 0, gateBare: 0, frames: 0, shapes: 0, longest: 0 };
+    const seen = { seconds: 0, missing: 0, streetMissing: 0, gateMissing: 0, gateBare: 0, frames: 0, shapes: 0, longest: 0 };
     const observer = new PerformanceObserver(list => { for (const { duration } of list.getEntries()) seen.longest = Math.max(seen.longest, duration); });
     observer.observe({ entryTypes: ['longtask'] });
     const walked = window.tourAt ?? { leg: 1, along: 0 };
@@ -66,7 +67,9 @@ async function walkAlong({ points, speed, metres }) {
         const isBare = ({ id }) => !((impostors.opacities.get(here.id)?.get(id) ?? 0) > 0);
         seen.seconds += seconds;
         ++seen.frames;
-        if (!here?.ground || here.visible.some(id => !has(id))) seen.missing += seconds;
+        const missing = here?.ground ? here.visible.filter(id => !has(id)) : [planner.current], overRoofs = new Set(here?.overRoofs);
+        if (missing.length) seen.missing += seconds;
+        if (missing.some(id => !overRoofs.has(id))) seen.streetMissing += seconds;
         if (gates.length) seen.gateMissing += seconds;
         if (gates.some(isBare)) seen.gateBare += seconds;
         seen.shapes = Math.max(seen.shapes, planner.liveShapes());
@@ -94,15 +97,15 @@ const sum = map => [...map.values()].reduce((all, bytes) => all + bytes, 0);
 
 async function tours(metres, cases) {
     const { start, points } = await routeOf(metres);
-    console.log('| walk | line | a visible sector is missing | one behind a gate is missing | and no picture there | longest block | frames/s | kB | requests | live Shapes |');
-    console.log('|---|---|--:|--:|--:|--:|--:|--:|--:|--:|');
+    console.log('| walk | line | a sector of L_vis is missing | one seen along streets | one behind a gate is missing | and no picture there | longest block | frames/s | kB | requests | live Shapes |');
+    console.log('|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
     for (const [speed, mbit] of cases) {
         const browser = await openBrowser(kWindow);
         try {
             const { tab } = await openPage(browser, start, mbit);
             const before = { bytes: sum(tab.bytes), requests: tab.requests.length };
             const got = await tab.page.evaluate(walkAlong, { points, speed, metres });
-            console.log(`| ${Math.round(got.walked)} m at ${speed} m/s | ${mbit} Mb/s | ${percent(got.missing, got.seconds)} | ${percent(got.gateMissing, got.seconds)} | `
+            console.log(`| ${Math.round(got.walked)} m at ${speed} m/s | ${mbit} Mb/s | ${percent(got.missing, got.seconds)} | ${percent(got.streetMissing, got.seconds)} | ${percent(got.gateMissing, got.seconds)} | `
                 + `${percent(got.gateBare, got.seconds)} | ${Math.round(got.longest)} ms | ${(got.frames / got.seconds).toFixed(1)} | `
                 + `${Math.round((sum(tab.bytes) - before.bytes) / 1000)} | ${tab.requests.length - before.requests} | ${got.shapes} |`);
         } finally {
