@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { pointInside } from '../../client_scripts/core/pointInside.js';
 import { openBrowser, openTab } from './support/chromium.js';
-import { CityMap } from './support/cityMap.js';
+import { firstDoor } from './support/cityMap.js';
 import { Visitor } from './support/Visitor.js';
 import { cities, serveCity } from './support/vicusServer.js';
 
@@ -26,27 +26,11 @@ test('doors in the town', { timeout: 900000, skip: town ? false : 'another city 
         await browser.close();
         await server.stop();
     });
-    const map = new CityMap(server.origin), house = await firstDoor(map, server.origin);
+    const house = await firstDoor(server.origin);
     await t.test('the page: in, through the house, and out again', t => walkThroughHouse(t, browser, server, house));
     await t.test('the world without the page', () => openInWorld(browser, server, house));
     await t.test('a visit may begin inside', () => startInside(browser, server, house));
 });
-
-/** The first door from a street to an interior: { street, room, door, at(m): plan metres before (> 0) or behind it, heading }. */
-async function firstDoor(map, origin) {
-    const { features } = await (await fetch(`${origin}/collections/sectors/items?limit=1000`)).json();
-    for (const { id } of features.sort((a, b) => (a.id < b.id ? -1 : 1))) {
-        const record = await (await fetch(`${origin}/sectors/${id}.json`)).json();
-        for (const door of record.doors ?? []) {
-            const room = await (await fetch(`${origin}/sectors/${door.to}.json`)).json();
-            const [[ax, ay], [bx, by]] = door.line, length = Math.hypot(bx - ax, by - ay);
-            const out = [-(by - ay) / length, (bx - ax) / length];
-            const at = metres => [(ax + bx) / 2 + metres * out[0], (ay + by) / 2 + metres * out[1]];
-            return { street: id, record, room, door, at, heading: Math.atan2(-out[0], -out[1]) };
-        }
-    }
-    return assert.fail('the town has no door');
-}
 
 async function walkThroughHouse(t, browser, server, { street, room, door, at, heading }) {
     const visitor = await Visitor.open(browser.context, `${server.origin}/?start=${street}&i=1`), { page } = visitor;

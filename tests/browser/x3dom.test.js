@@ -3,7 +3,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { openBrowser, openTab } from './support/chromium.js';
-import { CityMap, startWithRoute } from './support/cityMap.js';
+import { CityMap, firstDoor, startWithRoute } from './support/cityMap.js';
 import { cities, serveCity } from './support/vicusServer.js';
 import { Visitor } from './support/Visitor.js';
 
@@ -41,7 +41,25 @@ test(`a walk in ${name} by X3DOM`, { timeout: 600000 }, async t => {
 
     assert.deepEqual([...new Set(policies)].map(policy => /script-src 'self';/.test(policy)), [true]);
     assert.deepEqual(visitor.complaints, []);
+    await page.close();
+    if (name === 'town') await t.test('a door opens and leads in', () => goInside(browser, server));
 });
+
+async function goInside(browser, server) {
+    const { street, room, door, at, heading } = await firstDoor(server.origin);
+    const visitor = new X3domVisitor(await openTab(browser.context)), { page } = visitor;
+    await page.goto(`${server.origin}/x3dom.html?start=${street}&i=1`);
+    await visitor.isIn(street, 120);
+    const [east, north] = at(3);
+    await page.evaluate(pose => window.vicus.view.setPose({ ...window.vicus.view.pose(), ...pose }), { east, north, heading, pitch: 0 });
+    await page.locator('#door-button').click();
+    await page.waitForFunction(id => window.vicus.loader.doors.open.includes(id), door.id, { timeout: 60000 });
+    await page.waitForTimeout(1500);
+    await page.screenshot({ path: join(kShots, 'x3dom-door.png') });
+    await visitor.walk([at(-0.6), at(-2)].map(point => point.map(metres => 1000 * metres)), { run: false, within: 0.4 });
+    await visitor.isIn(room.id, 30);
+    assert.deepEqual(visitor.complaints, []);
+}
 
 /** Walks by the same keys; what is there is asked of the page for X3DOM. */
 class X3domVisitor extends Visitor {
