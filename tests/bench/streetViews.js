@@ -35,7 +35,7 @@ const widget = new Cesium.CesiumWidget('city', { baseLayer: false, globe: false,
 widget.scene.backgroundColor = Cesium.Color.LIGHTSKYBLUE;
 widget.clock.currentTime = Cesium.JulianDate.fromIso8601('2026-06-21T10:00:00Z');
 widget.clock.shouldAnimate = false;
-widget.camera.frustum.fov = ${kFieldOfView} * Math.PI / 180 * Math.max(1, innerWidth / innerHeight);
+widget.camera.frustum.fov = 2 * Math.atan(Math.tan(${kFieldOfView} * Math.PI / 360) * Math.max(1, innerWidth / innerHeight));   // of the larger side
 widget.camera.frustum.near = 0.2;
 widget.camera.setView({ destination: Cesium.Cartesian3.fromDegrees(${lon}, ${lat}, ${up}), orientation: { heading: ${heading}, pitch: 0, roll: 0 } });
 const tileset = await Cesium.Cesium3DTileset.fromUrl('/tiles/tileset.json');

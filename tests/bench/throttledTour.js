@@ -4,7 +4,7 @@
  *
  *     vicus build MAP -o city.gpkg --impostors yes && vicus serve city.gpkg --port 8080 &
  *     node tests/bench/throttledTour.js http://127.0.0.1:8080 [METRES] [SPEEDxMBIT ...]      1.4x20 5x4 ...
- *     node tests/bench/throttledTour.js http://127.0.0.1:8080 soak [KM] [SPEED]
+ *     node tests/bench/throttledTour.js http://127.0.0.1:8080 soak [KM] [SPEED]         I=2 before it: holds L_2
  *
  * A walk takes METRES / SPEED seconds; nothing is accelerated. Looked at in every frame: is a
  * file there (near, far or tall) of each sector that L_vis of the visitor's sector names; of each of those that it does not see over roofs
@@ -17,6 +17,8 @@ const [origin, what = '1000', ...more] = process.argv.slice(2);
 const kLatency = 40;                    // ms there and back
 const kCases = [[1.4, 4], [1.4, 20], [1.4, 100], [5, 4], [5, 20], [5, 100]];
 const kSettleSeconds = 90;
+/** I=2 holds L_2; else the page chooses i by what it measures. */
+const kLevel = process.env.I ? `&i=${process.env.I}` : '';
 /** Small: where a program draws, a large view has few frames, and one file is put in per frame. */
 const kWindow = { width: 480, height: 300 };
 
@@ -42,7 +44,7 @@ async function openPage(browser, start, mbit) {
     await devtools.send('Network.setCacheDisabled', { cacheDisabled: false });
     if (mbit) await devtools.send('Network.emulateNetworkConditions', {
         offline: false, latency: kLatency, downloadThroughput: mbit * 125000, uploadThroughput: mbit * 125000 });
-    await tab.page.goto(`${origin}/?start=${start}`);
+    await tab.page.goto(`${origin}/?start=${start}${kLevel}`);
     await tab.page.waitForFunction(() => window.vicus?.visit.firstStreetAt, null, { timeout: 180000 });
     await tab.page.waitForFunction(() => window.vicus.view.isIdle() && window.vicus.visit.sectors.every(({ phase }) => phase !== 'loading'),
         null, { timeout: 1000 * kSettleSeconds });
