@@ -25,7 +25,8 @@ struct Polygon {
 using Triangles = std::vector<std::uint32_t>;
 using Tags = std::map<std::string, std::string>;
 
-enum class SectorKind { street, crossroads, square, yard, passage, open };
+/// interior: a room behind a door, of no street (Interior).
+enum class SectorKind { street, crossroads, square, yard, passage, open, interior };
 
 /// Is the sector worth keeping loaded all around it? Proposed: found so by measure, only a mark; author: said so by a
 /// person, and listed in L_vis of the sectors of its vicinity (paper 004 §4.1.7).
@@ -55,6 +56,25 @@ struct Gate {
   std::string twin_id;       ///< empty: out of the city
   GateKind kind = GateKind::street;
   std::vector<PlanPoint> line;  ///< >= 2 points, sector_id's ground on the left; the twin has them reversed
+};
+
+/// A room behind a door (paper 004 §5.2.3): a sector of its own, and no part of the walkable ground between the houses.
+struct Interior {
+  Sector sector;  ///< kind interior; ground: the room with its half of each doorway, inside the house
+  std::string building_id, source_id;
+  double floor_m = 0;   ///< above the plan frame's 0
+  double height_m = 0;  ///< of the ceiling above the floor
+};
+
+/// One side of a door between an interior and the street before its house, or another interior; the twin is the other.
+/// The ends of its line are corners of each interior, and lie on a facade border of the street's sector within 2 mm.
+/// The leaf hangs at `a` of the side with the smaller id, and opens away from it.
+struct Door {
+  std::string id, twin_id, sector_id, to_sector_id, building_id;
+  PlanPoint a, b;       ///< sector_id's ground on the left of a -> b; the twin has them reversed
+  double sill_m = 0;    ///< above the plan frame's 0
+  double height_m = 0;  ///< of the opening
+  double recess_m = 0;  ///< of the leaf's middle beyond a-b, seen from sector_id; below 0: before it
 };
 
 enum class BorderKind { facade, wall, fence, bank, edge };
@@ -290,6 +310,8 @@ struct City {
   std::vector<Ride> rides;
   std::vector<Prototype> prototypes;
   std::vector<Viewpoint> viewpoints;
+  std::vector<Interior> interiors;  ///< by id
+  std::vector<Door> doors;          ///< by id
   std::vector<Visible> visible;
   std::vector<GateImpostor> impostors;  ///< by gate; empty: none were baked
   Terrain terrain;

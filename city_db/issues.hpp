@@ -42,6 +42,12 @@ enum class IssueCode {
   yard_closed = 402,        ///< ground reached only by a gap too narrow to walk
   not_reached = 403,        ///< open ground that no street, path or square reaches
   sight_over_budget = 404,  ///< too many lines to follow: others tell the list, a superset among such sectors
+  // 5xx interiors
+  room_outside = 501,         ///< an indoor room that lies in no house
+  room_too_small = 502,       ///< what the walls leave of it is no room
+  room_without_door = 503,    ///< no door leads from the street to it: left out
+  door_off_wall = 504,        ///< a door that stands on no wall between a room and another, or the street
+  room_on_other_level = 505,  ///< rooms above or below the ground floor are left out
 };
 
 /// A short permanent name: `ring_self_intersection`.

@@ -9,9 +9,10 @@ namespace {
 template <class E>
 using Names = std::initializer_list<std::pair<E, const char*>>;
 
-constexpr Names<SectorKind> kSectorKinds = {{SectorKind::street, "street"},   {SectorKind::crossroads, "crossroads"},
-                                            {SectorKind::square, "square"},   {SectorKind::yard, "yard"},
-                                            {SectorKind::passage, "passage"}, {SectorKind::open, "open"}};
+constexpr Names<SectorKind> kSectorKinds = {{SectorKind::street, "street"},    {SectorKind::crossroads, "crossroads"},
+                                            {SectorKind::square, "square"},    {SectorKind::yard, "yard"},
+                                            {SectorKind::passage, "passage"},  {SectorKind::open, "open"},
+                                            {SectorKind::interior, "interior"}};
 constexpr Names<GateKind> kGateKinds = {{GateKind::street, "street"},
                                         {GateKind::yard, "yard"},
                                         {GateKind::kerb, "kerb"},
@@ -75,7 +76,12 @@ constexpr Names<IssueCode> kIssueCodes = {{IssueCode::unreadable_feature, "unrea
                                           {IssueCode::over_budget, "over_budget"},
                                           {IssueCode::yard_closed, "yard_closed"},
                                           {IssueCode::not_reached, "not_reached"},
-                                          {IssueCode::sight_over_budget, "sight_over_budget"}};
+                                          {IssueCode::sight_over_budget, "sight_over_budget"},
+                                          {IssueCode::room_outside, "room_outside"},
+                                          {IssueCode::room_too_small, "room_too_small"},
+                                          {IssueCode::room_without_door, "room_without_door"},
+                                          {IssueCode::door_off_wall, "door_off_wall"},
+                                          {IssueCode::room_on_other_level, "room_on_other_level"}};
 
 template <class E>
 const char* find_name(const Names<E>& names, E value) {

@@ -12,9 +12,11 @@ struct RuleText {
 };
 constexpr std::array<RuleText, kRuleCount> kTexts = {{
     {"partition", "sector grounds have disjoint interiors and together are the walkable ground, to the last mm2"},
-    {"edges", "every ground edge is one border or one gate; every gate has one twin or leads out of the city"},
+    {"edges",
+     "every ground edge is one border or one gate; every gate has one twin or leads out of the city, "
+     "every door a twin"},
     {"facades", "every facade piece that faces walkable ground belongs to exactly one sector"},
-    {"houses_whole", "no gate crosses a footprint"},
+    {"houses_whole", "no gate crosses a footprint; every interior lies inside its house"},
     {"connected", "two places are joined by gates exactly when they are joined on foot"},
     {"budget", "no sector is sent with more bytes than the budget"},
     {"identity", "ids are present and unique, no record is there twice, and lists of visible sectors are whole"},
@@ -58,6 +60,7 @@ RuleReport check_rules(const City& city, const RuleOptions& options) {
   rules::check_gates(subject, findings);
   rules::check_houses_whole(city, findings);
   rules::check_connected(subject, findings);
+  rules::check_interiors(subject, findings);
   rules::check_identity(subject, findings);
   rules::check_visible(subject, findings);
   std::stable_sort(report.violations.begin(), report.violations.end(),

@@ -56,4 +56,8 @@ void check_identity(const Subject& subject, Findings& findings);
 /// names what exists. Cities without L_vis hold (rules_visible.cpp).
 void check_visible(const Subject& subject, Findings& findings);
 
+/// Rules 2, 4, 5 and 7 for interiors: each inside its house and clear of the others, its doors edges of its ground and
+/// of a facade, each with a twin, a chain of them leading to a street (rules_interiors.cpp).
+void check_interiors(const Subject& subject, Findings& findings);
+
 }  // namespace vicus::rules

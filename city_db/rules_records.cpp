@@ -75,6 +75,10 @@ void check_budget(const City& city, Findings& findings) {
     if (sector.bytes > budget)
       findings.add(Rule::budget, sector.id, place_of(sector),
                    std::to_string(sector.bytes) + " bytes, budget " + std::to_string(budget));
+  for (const auto& interior : city.interiors)
+    if (interior.sector.bytes > budget)
+      findings.add(Rule::budget, interior.sector.id, place_of(interior.sector),
+                   std::to_string(interior.sector.bytes) + " bytes, budget " + std::to_string(budget));
 }
 
 void check_identity(const Subject& subject, Findings& findings) {
@@ -100,7 +104,9 @@ void check_identity(const Subject& subject, Findings& findings) {
       [](const Building& b) { return std::tie(b.source_id, b.footprint.outer, b.base_m, b.height_m); }, findings);
   check_sector_names("building", city.buildings, subject.sectors, true, findings);
   check_sector_names("object", city.objects, subject.sectors, true, findings);
-  check_sector_names("viewpoint", city.viewpoints, subject.sectors, false, findings);
+  IdIndex with_interiors = subject.sectors;
+  for (const auto& interior : city.interiors) with_interiors.emplace(interior.sector.id, kNone);
+  check_sector_names("viewpoint", city.viewpoints, with_interiors, false, findings);
 }
 
 }  // namespace vicus::rules

@@ -58,6 +58,8 @@ class CityReader {
   Terrain terrain() const;                    ///< no nodes where the ground is flat
   std::vector<Prototype> prototypes() const;  ///< of the whole city
   std::vector<Viewpoint> viewpoints_of(const std::string& sector_id) const;
+  std::optional<Interior> interior(const std::string& id) const;
+  std::vector<Door> doors_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
   std::vector<GateImpostor> impostors_of(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.

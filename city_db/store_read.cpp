@@ -45,6 +45,8 @@ City read_city(const std::filesystem::path& path, const std::set<std::string>& t
   read("ride", city.rides);
   read("prototype", city.prototypes);
   read("viewpoint", city.viewpoints);
+  read("interior", city.interiors);
+  read("door", city.doors);
   read("visible", city.visible);
   read("impostor", city.impostors);
   read("issue", city.issues);

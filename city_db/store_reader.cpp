@@ -175,6 +175,12 @@ std::vector<Prototype> CityReader::prototypes() const {
 std::vector<Viewpoint> CityReader::viewpoints_of(const std::string& sector_id) const {
   return impl_->rows_of<Viewpoint>("viewpoint", sector_id);
 }
+std::optional<Interior> CityReader::interior(const std::string& id) const {
+  return impl_->row_of<Interior>("interior", id);
+}
+std::vector<Door> CityReader::doors_of(const std::string& sector_id) const {
+  return impl_->rows_of<Door>("door", sector_id);
+}
 std::vector<Visible> CityReader::visible_from(const std::string& sector_id) const {
   return impl_->rows_of<Visible>("visible", sector_id);
 }

@@ -141,6 +141,62 @@ void read_record(const Statement& row, Sector& s) {
   if (s.vicinity_m < 0) row.database().throw_damaged("a vicinity below 0");
 }
 
+void bind_record(Statement& row, const Interior& i) {
+  row.bind_blob(1, encode_polygon(i.sector.ground));
+  row.bind(2, i.sector.id);
+  row.bind(3, i.building_id);
+  row.bind(4, i.source_id);
+  row.bind(5, i.sector.name);
+  row.bind(6, static_cast<std::int64_t>(i.sector.bytes));
+  row.bind(7, metres(i.sector.origin.x));
+  row.bind(8, metres(i.sector.origin.y));
+  row.bind_blob(9, bytes_from_triangles(i.sector.ground_triangles, i.sector.ground));
+  row.bind(10, i.floor_m);
+  row.bind(11, i.height_m);
+}
+
+void read_record(const Statement& row, Interior& i) {
+  i.sector.kind = SectorKind::interior;
+  i.sector.ground = polygon_at(row, 0);
+  i.sector.id = row.text(1);
+  i.building_id = row.text(2);
+  i.source_id = row.text(3);
+  i.sector.name = row.text(4);
+  i.sector.bytes = static_cast<std::uint64_t>(row.integer(5));
+  i.sector.origin = {lattice_at(row, 6), lattice_at(row, 7)};
+  i.sector.ground_triangles = triangles_from(row, 8, i.sector.ground);
+  i.floor_m = row.real(9);
+  i.height_m = row.real(10);
+  if (!(i.height_m > 0)) row.database().throw_damaged("an interior without height");
+}
+
+void bind_record(Statement& row, const Door& d) {
+  row.bind_blob(1, encode_line({d.a, d.b}));
+  row.bind(2, d.id);
+  row.bind(3, d.twin_id);
+  row.bind(4, d.sector_id);
+  row.bind(5, d.to_sector_id);
+  row.bind(6, d.building_id);
+  row.bind(7, d.sill_m);
+  row.bind(8, d.height_m);
+  row.bind(9, d.recess_m);
+}
+
+void read_record(const Statement& row, Door& d) {
+  const auto line = require(row, decode_line(row.bytes(0)), "a geometry is no line on the lattice");
+  if (line.size() != 2 || line[0] == line[1]) row.database().throw_damaged("a door that is no line of two points");
+  d.a = line[0];
+  d.b = line[1];
+  d.id = row.text(1);
+  d.twin_id = row.text(2);
+  d.sector_id = row.text(3);
+  d.to_sector_id = row.text(4);
+  d.building_id = row.text(5);
+  d.sill_m = row.real(6);
+  d.height_m = row.real(7);
+  d.recess_m = row.real(8);
+}
+
 void bind_record(Statement& row, const Gate& g) {
   row.bind_blob(1, encode_line(g.line));
   row.bind(2, g.id);
@@ -369,6 +425,8 @@ void read_record(const Statement& row, Artefact& a) {
 }
 
 PlanBox box_of_record(const Sector& s) { return box_of(s.ground.outer); }
+PlanBox box_of_record(const Interior& i) { return box_of(i.sector.ground.outer); }
+PlanBox box_of_record(const Door& d) { return box_of({d.a, d.b}); }
 PlanBox box_of_record(const Gate& g) { return box_of(g.line); }
 PlanBox box_of_record(const Border& b) { return box_of(b.line); }
 PlanBox box_of_record(const Building& b) { return box_of(b.footprint.outer); }

@@ -226,6 +226,30 @@ const std::vector<Table>& tables() {
         {"ground_m", "DOUBLE NOT NULL"},
         {"eye_m", "DOUBLE NOT NULL"},
         {"heading_deg", "DOUBLE NOT NULL"}}},
+      {"interior",
+       "POLYGON",
+       "rooms behind doors, each a sector of its own",
+       {{"id", "TEXT NOT NULL UNIQUE"},
+        {"building_id", "TEXT NOT NULL"},
+        {"source_id", "TEXT NOT NULL"},
+        {"name", "TEXT NOT NULL"},
+        {"bytes", "INTEGER NOT NULL"},
+        {"origin_east_m", "DOUBLE NOT NULL"},
+        {"origin_north_m", "DOUBLE NOT NULL"},
+        {"ground_triangles", "BLOB NOT NULL"},
+        {"floor_m", "DOUBLE NOT NULL"},
+        {"height_m", "DOUBLE NOT NULL"}}},
+      {"door",
+       "LINESTRING",
+       "sides of doors of interiors, ground of sector_id on the left",
+       {{"id", "TEXT NOT NULL UNIQUE"},
+        {"twin_id", "TEXT NOT NULL"},
+        {"sector_id", "TEXT NOT NULL"},
+        {"to_sector_id", "TEXT NOT NULL"},
+        {"building_id", "TEXT NOT NULL"},
+        {"sill_m", "DOUBLE NOT NULL"},
+        {"height_m", "DOUBLE NOT NULL"},
+        {"recess_m", "DOUBLE NOT NULL"}}},
       {"visible",
        nullptr,
        "L_vis: which sectors some eye in a sector can see",
@@ -339,7 +363,8 @@ void finish_schema(Database& db, const std::vector<PlanBox>& extents) {
       "CREATE INDEX building_sector ON building(sector_id); CREATE INDEX object_sector ON object(sector_id);"
       "CREATE INDEX viewpoint_sector ON viewpoint(sector_id); CREATE INDEX visible_sector ON visible(sector_id);"
       "CREATE INDEX facade_sector ON facade(sector_id); CREATE INDEX surface_sector ON surface(sector_id);"
-      "CREATE INDEX ride_sector ON ride(sector_id); CREATE INDEX impostor_sector ON impostor(sector_id)");
+      "CREATE INDEX ride_sector ON ride(sector_id); CREATE INDEX impostor_sector ON impostor(sector_id);"
+      "CREATE INDEX door_sector ON door(sector_id)");
   auto contents = db.prepare("INSERT INTO gpkg_contents VALUES (?1, ?2, ?1, ?3, ?4, ?5, ?6, ?7, ?8, ?9)");
   auto geometry = db.prepare("INSERT INTO gpkg_geometry_columns VALUES (?1, ?2, ?3, ?4, 0, 0)");
   auto extension = db.prepare(

@@ -9,7 +9,7 @@ namespace vicus {
 
 class Database;
 
-inline constexpr int kFormatVersion = 5;
+inline constexpr int kFormatVersion = 6;
 inline constexpr const char* kGeometryColumn = "geom";
 
 struct Column {

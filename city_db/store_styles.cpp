@@ -58,6 +58,8 @@ const std::vector<Style>& styles() {
        {{"measured", "measured height", "139,94,60,255", "80,50,30,255", "0.1"},
         {"levels", "height from levels", "164,120,84,255", "80,50,30,255", "0.1"},
         {"guessed", "guessed height", "196,162,130,255", "80,50,30,255", "0.1"}}},
+      {"interior", "fill", nullptr, "\"name\"", {{"", "room", "255,246,214,255", "150,120,60,255", "0.2"}}},
+      {"door", "line", nullptr, nullptr, {{"", "door", "200,90,20,255", "", "0.8"}}},
       {"street", "line", nullptr, nullptr, {{"", "centre line", "130,130,130,160", "", "0.15"}}},
       {"facade",
        "line",

@@ -110,6 +110,8 @@ void write_city(const std::filesystem::path& path, const City& city,
   write_list(db, "ride", city.rides, written);
   write_list(db, "prototype", city.prototypes, written);
   write_list(db, "viewpoint", city.viewpoints, written);
+  write_list(db, "interior", city.interiors, written);
+  write_list(db, "door", city.doors, written);
   write_list(db, "visible", city.visible, written);
   write_list(db, "impostor", city.impostors, written);
   write_list(db, "terrain", std::vector<Terrain>(city.terrain.height_mm.empty() ? 0 : 1, city.terrain), written);

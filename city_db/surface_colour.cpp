@@ -40,6 +40,8 @@ Colour ground_colour(SectorKind kind) {
       return {150, 148, 128};
     case SectorKind::passage:
       return {104, 100, 94};
+    case SectorKind::interior:
+      return {142, 104, 70};
     case SectorKind::open:
       return {128, 148, 100};
   }

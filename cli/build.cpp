@@ -17,6 +17,7 @@
 #include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/bake/impostors/bake_impostor.hpp"
 #include "sectorgen/geo/map_name.hpp"
+#include "sectorgen/geo/room_list.hpp"
 #include "sectorgen/models/author_models.hpp"
 #include "x3d_export/package.hpp"
 
@@ -28,7 +29,7 @@ constexpr std::size_t kSectorsWithImpostors = 1500;
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output, name, boundary, buildings, streets, origin, important, terrain, crs, models, photos;
+  std::string output, name, boundary, buildings, streets, origin, important, terrain, crs, models, photos, interiors;
   unsigned threads = 0;
   unsigned budget_kb = 200;
   bool strict = false;
@@ -125,6 +126,8 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (arguments.impostors != "no") options["impostors"] = arguments.impostors;
   if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
   if (!arguments.photos.empty()) options["photos"] = std::filesystem::path(arguments.photos).filename().string();
+  if (!arguments.interiors.empty())
+    options["interiors"] = std::filesystem::path(arguments.interiors).filename().string();
   if (!arguments.models.empty()) options["models"] = std::filesystem::path(arguments.models).filename().string();
   if (!arguments.important.empty())
     options["important"] = std::filesystem::path(arguments.important).filename().string();
@@ -138,6 +141,7 @@ nlohmann::json report_object(const City& city, const BuildReport& report, const 
                              {"gates", city.gates.size()},
                              {"buildings", city.buildings.size()},
                              {"streets", city.streets.size()},
+                             {"interiors", city.interiors.size()},
                              {"objects", city.objects.size()},
                              {"issues", city.issues.size()}}}};
   std::map<std::string, int> issues;
@@ -199,6 +203,7 @@ void run(const Arguments& arguments, Context& context) {
   clock.begin("read");
   std::vector<Issue> issues;
   SourceMap map = load_source_map(load_options(arguments), issues);
+  if (!arguments.interiors.empty()) read_room_list(arguments.interiors, map);
   clock.end();
 
   BuildOptions options;
@@ -273,6 +278,9 @@ void add_build(CLI::App& app, Context& context) {
   command->add_option(
       "--photos", arguments->photos,
       "a table of photos of facades: first line house,file,heading,corners,bays,floors (docs/houses.md)");
+  command->add_option("--interiors", arguments->interiors,
+                      "a table of rooms behind doors: first line house,outline,doors,name,height, places as WKT "
+                      "(docs/interiors.md)");
   command->add_option("--threads", arguments->threads, "0: all cores");
   command->add_option("--budget-kb", arguments->budget_kb, "largest sector as sent, in kB")
       ->check(CLI::Range(10u, 100000u));

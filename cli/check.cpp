@@ -65,6 +65,7 @@ Json counts_json(const City& city) {
           {"borders", city.borders.size()},     {"buildings", city.buildings.size()},
           {"obstacles", city.obstacles.size()}, {"streets", city.streets.size()},
           {"objects", city.objects.size()},     {"viewpoints", city.viewpoints.size()},
+          {"interiors", city.interiors.size()}, {"doors", city.doors.size()},
           {"issues", city.issues.size()}};
 }
 

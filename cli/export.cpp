@@ -15,6 +15,7 @@
 #include "x3d_export/glb.hpp"
 #include "x3d_export/house_shell.hpp"
 #include "x3d_export/impostor_nodes.hpp"
+#include "x3d_export/interior_scene.hpp"
 #include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -61,10 +62,19 @@ void require_plain_ids(const City& city) {
                       "' cannot be a file's name: expected letters, digits, '-' and '_'");
   };
   for (const auto& s : city.sectors) require("sector", s.id, false);
+  for (const auto& i : city.interiors) require("interior", i.sector.id, false);
   for (const auto& i : city.impostors) require("gate", i.gate_id, true);
 }
 
 void write_sectors(const CityIndex& index, const fs::path& folder, SceneFormat format, bool is_site, Written& written) {
+  if (format == SceneFormat::x3d)
+    for (const auto& interior : index.city().interiors) {
+      const auto file = interior_file(index, interior, format);
+      write_file(folder / file.path, file.text, written);
+      if (is_site)
+        write_file(folder / "sectors" / (interior.sector.id + ".json"),
+                   record_json(sector_record(source_of(index), interior.sector, file.shapes)), written);
+    }
   for (const auto& sector : index.city().sectors) {
     int shapes = 0;
     for (const auto& file : sector_files(index, sector, Detail::near, format)) {

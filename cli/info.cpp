@@ -43,6 +43,8 @@ std::vector<Listing> listings_of(const City& city) {
           {"streets", city.streets.size(), count_by(city.streets, plain_kind)},
           {"objects", city.objects.size(), count_by(city.objects, plain_kind)},
           {"viewpoints", city.viewpoints.size(), count_by(city.viewpoints, plain_kind)},
+          {"interiors", city.interiors.size(), {}},
+          {"door sides", city.doors.size(), {}},
           {"visible", city.visible.size(),
            count_by(city.visible, [](const Visible& v) { return std::string(name_of(v.reason)); })},
           {"unresolved",

@@ -2,7 +2,7 @@
 # An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`.
 set(modules core/planGeometry.js core/sectorRecord.js core/recordMetadata.js core/loadPhase.js core/sectorSets.js
             core/tightBox.js core/GateTracker.js core/SectorFinder.js core/loadOrder.js core/LevelChoice.js
-            core/GateImpostors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
+            core/GateImpostors.js core/Doors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
 set(bundle "")
 foreach(module ${modules})
   file(READ ${CMAKE_CURRENT_LIST_DIR}/${module} text)

@@ -51,13 +51,26 @@ HttpResponse answer_client(const HttpRequest& request, const StaticFiles& files,
   return problem(404, "There is no client script " + path + ". The page is at /.");
 }
 
+HttpResponse with_policy(HttpResponse response) {
+  response.fields.emplace_back("Content-Security-Policy", kContentSecurityPolicy);
+  return response;
+}
+
 HttpResponse answer_page(const HttpRequest& request, const StaticFiles& files) {
   const auto wanted = preferred_media_type(field_of(request.fields, "Accept"), {"text/html", "application/json"});
   const auto* page = files.client("page/index.html");
   if (wanted == "application/json" || !page) return answer_landing(request);
-  auto response = answer_file(request, *page, Caching::revalidate);
-  response.fields.emplace_back("Content-Security-Policy", kContentSecurityPolicy);
-  return response;
+  return with_policy(answer_file(request, *page, Caching::revalidate));
+}
+
+/// The page in X3DOM, and X3DOM itself.
+HttpResponse answer_x3dom(const HttpRequest& request, const StaticFiles& files, const std::string& path) {
+  const auto* page = files.client("page/x3dom.html");
+  if (path == "/x3dom.html" && page) return with_policy(answer_file(request, *page, Caching::revalidate));
+  if (path.starts_with("/x3dom/"))
+    if (const auto* file = files.x3dom(path.substr(7))) return answer_file(request, *file, Caching::revalidate);
+  return problem(404,
+                 "There is no " + path + ". X3DOM is served where it is installed beside X_ITE: npm install x3dom.");
 }
 
 /// /x_ite/VERSION/dist/...: immutable. Any other /x_ite/...: sent on to the version there is.
@@ -126,6 +139,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   if (path == "/") return with_route("page", answer_page(request, *files_));
   if (path.starts_with("/client/")) return with_route("client", answer_client(request, *files_, path.substr(8)));
   if (path.starts_with("/x_ite/")) return with_route("x_ite", answer_x_ite(request, *files_, path.substr(7)));
+  if (path.starts_with("/x3dom")) return with_route("x3dom", answer_x3dom(request, *files_, path));
   if (path == "/healthz") {
     city_.reader().meta("origin_lat");  // throws when the city cannot be read
     return fresh("healthz", "text/plain; charset=utf-8", "ok\n");

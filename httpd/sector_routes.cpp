@@ -38,9 +38,12 @@ std::optional<SceneFormat> written_format(const std::string& name) {
   return std::nullopt;
 }
 
+constexpr std::string_view kSectors = "sectors/";
+
 /// Is there a file `path` + `suffix`, stored or to be written? Needs   the path of a sector that exists.
 bool has_format(const CityReader& city, const std::string& path, const std::string& suffix) {
-  return written_format(suffix) || suffix == kGlb || !city.artefact_codings(path + suffix).empty();
+  const bool is_written = written_format(suffix) || suffix == kGlb;
+  return (is_written && city.sector(path.substr(kSectors.size()))) || !city.artefact_codings(path + suffix).empty();
 }
 
 std::string image_of(const CityReader& city, const std::string& id) {
@@ -167,7 +170,7 @@ HttpResponse answer_sector(const HttpRequest& request, const CityReader& city, c
     if (auto artefact = answer_artefact(request, city, path)) return *std::move(artefact);
     if (auto file = answer_written(request, city, id, name)) return *std::move(file);
   }
-  if (!city.sector(id))
+  if (!city.sector(id) && !city.interior(id))
     return problem(404, "There is no sector " + id + ". Ask /collections/sectors/items for those there are.");
   if (dot == name.size() && !city.artefact_codings(path + ".x3d").empty()) return answer_by_accept(request, city, id);
   return problem(404, "Sector " + id + " has no " + name.substr(dot) + ". It has:" + formats_of(city, id));

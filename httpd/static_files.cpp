@@ -76,6 +76,9 @@ StaticFiles::StaticFiles(const fs::path& x_ite, const fs::path& impostors) {
     const auto media_type = media_type_of_file(path);
     if (!media_type.empty()) x_ite_.try_emplace(path, std::string(media_type), entry.path());
   }
+  for (const char* name : {"x3dom.js", "x3dom.css"})
+    if (const auto path = package.parent_path() / "x3dom" / name; fs::is_regular_file(path))
+      x3dom_.try_emplace(name, std::string(media_type_of_file(name)), path);
 }
 
 void StaticFiles::add_impostors(const fs::path& folder) {
@@ -101,6 +104,11 @@ const StaticFile* StaticFiles::client(const std::string& path) const {
 const StaticFile* StaticFiles::x_ite(const std::string& path) const {
   const auto found = x_ite_.find(path);
   return found == x_ite_.end() ? nullptr : &found->second;
+}
+
+const StaticFile* StaticFiles::x3dom(const std::string& path) const {
+  const auto found = x3dom_.find(path);
+  return found == x3dom_.end() ? nullptr : &found->second;
 }
 
 void StaticFiles::warm() const {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// Files known before the first request: our client scripts (in the program) and X_ITE (a folder). A request can name
-/// only what is in this table: nothing is looked up on disk by a URL.
+/// Files known before the first request: our client scripts (in the program), X_ITE and X3DOM (folders). A request can
+/// name only what is in this table: nothing is looked up on disk by a URL.
 namespace vicus {
 
 /// One file and its codings, each made at first use and then kept. Shared by all threads.
@@ -46,16 +46,18 @@ class StaticFiles {
   /// Fails   CityError: the folder holds no X_ITE; no picture.
   explicit StaticFiles(const std::filesystem::path& x_ite, const std::filesystem::path& impostors = {});
 
-  const StaticFile* client(const std::string& path) const;    ///< path below /client/, e.g. "page/index.html"
-  const StaticFile* x_ite(const std::string& path) const;     ///< path below /x_ite/VERSION/, e.g. "dist/x_ite.css"
-  const StaticFile* impostor(const std::string& path) const;  ///< path below /impostors/
+  const StaticFile* client(const std::string& path) const;  ///< path below /client/, e.g. "page/index.html"
+  const StaticFile* x_ite(const std::string& path) const;   ///< path below /x_ite/VERSION/, e.g. "dist/x_ite.css"
+  /// path below /x3dom/: x3dom.js, x3dom.css; there where the package x3dom lies beside X_ITE's.
+  const StaticFile* x3dom(const std::string& path) const;
+  const StaticFile* impostor(const std::string& path) const;           ///< path below /impostors/
   const std::string& x_ite_version() const { return x_ite_version_; }  ///< empty: there is no X_ITE
   /// Makes the codings of the one large file every visitor needs, so that the first need not wait.
   void warm() const;
 
  private:
   void add_impostors(const std::filesystem::path& folder);
-  std::map<std::string, StaticFile, std::less<>> client_, x_ite_, impostors_;
+  std::map<std::string, StaticFile, std::less<>> client_, x_ite_, x3dom_, impostors_;
   std::string x_ite_version_;
 };
 

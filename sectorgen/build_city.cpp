@@ -18,6 +18,7 @@
 #include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/models/stand_objects.hpp"
 #include "sectorgen/sectors/domain.hpp"
+#include "sectorgen/sectors/interiors.hpp"
 #include "sectorgen/sectors/naming.hpp"
 #include "sectorgen/sectors/sectors.hpp"
 #include "sectorgen/visibility/important.hpp"
@@ -111,6 +112,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   name_sectors(map, plan, city);
   furnish(map, plan, city);
   identify(options.previous, city);
+  add_interiors(map, city);
   const PlanFrame frame(city.origin);
   mark_important(city, {options.important, [&](LatLon p) { return frame.plan_from_latlon(p); }, options.previous},
                  city.issues);
@@ -127,6 +129,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   const auto ground_figures = lay_ground(map, city, options.threads);
   report.ground_triangles = ground_figures.triangles;
   report.largest_gap_m = ground_figures.largest_gap_m;
+  level_interiors(city);
 
   clock.begin("visibility");
   if (options.with_visibility) {

@@ -56,6 +56,8 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
     buildings_.emplace(b.id, &b);
     buildings_of_[b.sector_id].push_back(&b);
   }
+  for (const auto& i : city.interiors) interiors_.emplace(i.sector.id, &i);
+  for (const auto& d : city.doors) doors_of_[d.sector_id].push_back(&d);
   for (const auto& g : city.gates) gates_of_[g.sector_id].push_back(&g);
   for (const auto& b : city.borders) borders_of_[b.sector_id].push_back(&b);
   for (const auto& f : city.facades) facades_of_[f.sector_id].push_back(&f);
@@ -71,6 +73,7 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
       tall_houses_of_[v.visible_sector_id].insert(v.building_ids.begin(), v.building_ids.end());
   }
   sort_by_id(gates_of_);
+  sort_by_id(doors_of_);
   sort_by_id(buildings_of_);
   sort_by_id(objects_of_);
   sort_by_id(viewpoints_of_);
@@ -87,6 +90,11 @@ const Building* CityIndex::building(const std::string& id) const {
   const auto at = buildings_.find(id);
   return at == buildings_.end() ? nullptr : at->second;
 }
+const Interior* CityIndex::interior(const std::string& id) const {
+  const auto at = interiors_.find(id);
+  return at == interiors_.end() ? nullptr : at->second;
+}
+const std::vector<const Door*>& CityIndex::doors_of(const std::string& id) const { return find_list(doors_of_, id); }
 const std::vector<const Gate*>& CityIndex::gates_of(const std::string& id) const { return find_list(gates_of_, id); }
 const std::vector<const Border*>& CityIndex::borders_of(const std::string& id) const {
   return find_list(borders_of_, id);
@@ -127,9 +135,12 @@ RecordSource source_of(const CityIndex& index) {
   RecordSource source;
   source.sector = [&index](const std::string& id) {
     const Sector* s = index.sector(id);
-    return s ? std::optional<Sector>(*s) : std::nullopt;
+    if (s) return std::optional<Sector>(*s);
+    const Interior* room = index.interior(id);
+    return room ? std::optional<Sector>(room->sector) : std::nullopt;
   };
   source.gates_of = [&index](const std::string& id) { return copies(index.gates_of(id)); };
+  source.doors_of = [&index](const std::string& id) { return copies(index.doors_of(id)); };
   source.viewpoints_of = [&index](const std::string& id) { return copies(index.viewpoints_of(id)); };
   source.objects_of = [&index](const std::string& id) { return copies(index.objects_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };

@@ -18,15 +18,16 @@ PlanPoint point_inside(const Sector& sector);
 
 /// Where records come from: a City in memory, or a reader of a city file (the server). Lists in id order.
 struct RecordSource {
-  std::function<std::optional<Sector>(const std::string& id)> sector;
+  std::function<std::optional<Sector>(const std::string& id)> sector;  ///< of the streets, or an interior's
   std::function<std::vector<Gate>(const std::string& sector_id)> gates_of;
+  std::function<std::vector<Door>(const std::string& sector_id)> doors_of;
   std::function<std::vector<Viewpoint>(const std::string& sector_id)> viewpoints_of;
   std::function<std::vector<StandaloneObject>(const std::string& sector_id)> objects_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
   std::function<std::vector<GateImpostor>(const std::string& sector_id)> impostors_of;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
-  std::function<std::vector<std::string>()> sector_ids;
-  std::function<std::string(const std::string& key)> meta;  ///< empty where there is none
+  std::function<std::vector<std::string>()> sector_ids;                ///< of the streets
+  std::function<std::string(const std::string& key)> meta;             ///< empty where there is none
 };
 
 /// Indices into the lists of a City, by sector, each list in id order (borders in the order they are stored).
@@ -38,7 +39,9 @@ class CityIndex {
   const City& city() const { return *city_; }
   const Sector* sector(const std::string& id) const;
   const Building* building(const std::string& id) const;
+  const Interior* interior(const std::string& id) const;
   const std::vector<const Gate*>& gates_of(const std::string& sector_id) const;
+  const std::vector<const Door*>& doors_of(const std::string& sector_id) const;
   const std::vector<const Border*>& borders_of(const std::string& sector_id) const;
   const std::vector<const Facade*>& facades_of(const std::string& sector_id) const;
   const std::vector<const Building*>& buildings_of(const std::string& sector_id) const;
@@ -58,8 +61,10 @@ class CityIndex {
 
   const City* city_;
   std::map<std::string, const Sector*> sectors_;
+  std::map<std::string, const Interior*> interiors_;
   std::map<std::string, const Building*> buildings_;
   BySector<Gate> gates_of_;
+  BySector<Door> doors_of_;
   BySector<Border> borders_of_;
   BySector<Facade> facades_of_;
   BySector<Building> buildings_of_;

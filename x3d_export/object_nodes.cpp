@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "x3d_export/door_nodes.hpp"
 #include "x3d_export/prototypes.hpp"
 #include "x3d_export/text.hpp"
 
@@ -224,6 +225,8 @@ std::vector<Face> object_faces(const CityIndex& index, const Sector& sector) {
     }
   }
   for (const auto& [sign, board] : sign_faces(index, sector)) faces.insert(faces.end(), board.begin(), board.end());
+  const auto doors = door_faces(index, sector);
+  faces.insert(faces.end(), doors.begin(), doors.end());
   return faces;
 }
 

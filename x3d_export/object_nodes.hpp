@@ -25,7 +25,8 @@ ObjectNodes object_nodes(const CityIndex& index, const Sector& sector, SceneForm
 
 /// Objects that come as prisms: beyond kMostInstances.
 std::vector<const StandaloneObject*> plain_objects(const CityIndex& index, const Sector& sector);
-/// What object_nodes places, at rest and with its signs, for formats without instances. Frame   the sector's own.
+/// What object_nodes places, at rest and with its signs, and doors, shut, for formats without instances. Frame   the
+/// sector's own.
 std::vector<Face> object_faces(const CityIndex& index, const Sector& sector);
 
 /// The boards of signs with their letters, as Shapes; those with a web address each in an Anchor that opens it.

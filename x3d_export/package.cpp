@@ -7,6 +7,7 @@
 #include "city_db/run_parallel.hpp"
 #include "x3d_export/coding.hpp"
 #include "x3d_export/impostor_nodes.hpp"
+#include "x3d_export/interior_scene.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
@@ -26,6 +27,7 @@ class CityArtefacts {
     run_parallel(city.sectors.size(), thread_count(options_.threads),
                  [this](std::size_t i, unsigned) { pack_near(i); });
     add_textures();
+    add_interiors();
     if (!city.sectors.empty() && !city.meta.contains("start")) city.meta["start"] = start_sector(source_of(index_));
   }
 
@@ -44,6 +46,16 @@ class CityArtefacts {
           {"textures/" + texture.id + ".png", "image/png", "identity", strong_hash(texture.png), texture.png});
     for (const GateImpostor& i : city_.impostors)
       ready_.push_back({impostor_path(i.gate_id), "image/png", "identity", strong_hash(i.png), i.png});
+  }
+
+  void add_interiors() {
+    for (Interior& interior : city_.interiors) {
+      const ExportFile file = interior_file(index_, interior, SceneFormat::x3d);
+      ready_.push_back(packed(file));
+      interior.sector.bytes = ready_.back().body.size();
+      const auto record = sector_record(source_of(index_), interior.sector, file.shapes);
+      ready_.push_back(packed({"sectors/" + interior.sector.id + ".json", "application/json", record_json(record), 0}));
+    }
   }
 
   void pack_near(std::size_t i) {

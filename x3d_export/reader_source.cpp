@@ -6,8 +6,14 @@ namespace vicus {
 
 RecordSource source_of(const CityReader& reader) {
   RecordSource source;
-  source.sector = [&reader](const std::string& id) { return reader.sector(id); };
+  source.sector = [&reader](const std::string& id) {
+    auto sector = reader.sector(id);
+    if (!sector)
+      if (auto room = reader.interior(id)) sector = std::move(room->sector);
+    return sector;
+  };
   source.gates_of = [&reader](const std::string& id) { return reader.gates_of(id); };
+  source.doors_of = [&reader](const std::string& id) { return reader.doors_of(id); };
   source.viewpoints_of = [&reader](const std::string& id) { return reader.viewpoints_of(id); };
   source.objects_of = [&reader](const std::string& id) { return reader.objects_of(id); };
   source.visible_from = [&reader](const std::string& id) { return reader.visible_from(id); };
@@ -27,6 +33,7 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   city.meta["licences"] = reader.meta("licences").value_or("");
   if (const auto atlas = reader.meta("atlas")) city.meta["atlas"] = *atlas;
   city.gates = reader.gates_of(id);
+  city.doors = reader.doors_of(id);
   city.borders = reader.borders_of(id);
   city.buildings = reader.buildings_of(id);
   city.facades = reader.facades_of(id);
@@ -37,6 +44,8 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   city.viewpoints = reader.viewpoints_of(id);
   city.visible = reader.visible_from(id);
   city.impostors = reader.impostors_of(id);
+  for (const auto& d : city.doors)
+    if (auto room = reader.interior(d.to_sector_id)) city.interiors.push_back(*std::move(room));
   std::set<std::string> others, houses, facades;
   for (const auto& g : city.gates) others.insert(g.to_sector_id);
   for (const auto& v : city.visible) others.insert(v.visible_sector_id);

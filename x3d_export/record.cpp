@@ -64,6 +64,12 @@ Json json_of(const Gate& g, const std::map<std::string, GateImpostor>& impostors
   return json;
 }
 
+Json json_of(const RecordDoor& d) {
+  return {{"id", clean_text(d.door.id)},        {"to", clean_text(d.to.id)},
+          {"twin", clean_text(d.door.twin_id)}, {"line", json_of(std::vector{d.door.a, d.door.b})},
+          {"origin", values_of(d.to.origin)},   {"box", values_of(d.to.box)}};
+}
+
 Json json_of(const Viewpoint& v) {
   return {{"id", clean_text(v.id)}, {"kind", clean_text(v.kind)}, {"name", clean_text(v.name)}, {"at", values_of(v.at)},
           {"eye", v.eye_m},         {"heading", v.heading_deg}};
@@ -98,6 +104,14 @@ Node gate_node(const Gate& gate, const std::map<std::string, GateImpostor>& impo
   return node;
 }
 
+Node door_node(const RecordDoor& d) {
+  Node node("MetadataSet");
+  node.set("name", "door").add("value", texts("id", {d.door.id})).add("value", texts("to", {d.to.id}));
+  node.add("value", texts("twin", {d.door.twin_id}))
+      .add("value", numbers("line", values_of(std::vector{d.door.a, d.door.b})));
+  return node.add("value", numbers("origin", values_of(d.to.origin))).add("value", numbers("box", values_of(d.to.box)));
+}
+
 /// Three flat lists: a park sees hundreds of sectors, and a set for each would outweigh its houses.
 void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) {
   std::vector<std::string> ids;
@@ -115,8 +129,8 @@ void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) 
 }  // namespace
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
-  SectorRecord record{sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}, {},
-                      {}};
+  SectorRecord record{
+      sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for (auto& impostor : source.impostors_of(sector.id)) {
     impostor.png.clear();
     record.impostors.emplace(impostor.gate_id, std::move(impostor));
@@ -137,6 +151,9 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
   for (const auto& id : record.visible)
     if (const auto other = id == sector.id ? std::nullopt : source.sector(id))
       record.neighbours.push_back({id, other->origin, box_of(other->ground)});
+  for (auto& door : source.doors_of(sector.id))
+    if (const auto other = source.sector(door.to_sector_id))
+      record.doors.push_back({std::move(door), {other->id, other->origin, box_of(other->ground)}});
   record.viewpoints = source.viewpoints_of(sector.id);
   for (const auto& object : source.objects_of(sector.id))
     if (const double radius_m = body_radius_m(object); radius_m > 0) record.bodies.push_back({object.at, radius_m});
@@ -149,13 +166,15 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
 std::string record_json(const SectorRecord& record) {
   const Sector& s = record.sector;
   Json names = Json::array(), ground = Json::array(), gates = Json::array(), neighbours = Json::array(),
-       viewpoints = Json::array(), bodies = Json::array(), places = Json::array(), reasons = Json::object();
+       doors = Json::array(), viewpoints = Json::array(), bodies = Json::array(), places = Json::array(),
+       reasons = Json::object();
   for (const auto& name : s.names) names.push_back(clean_text(name));
   ground.push_back(json_of(s.ground.outer));
   for (const auto& hole : s.ground.holes) ground.push_back(json_of(hole));
   for (const auto& g : record.gates) gates.push_back(json_of(g, record.impostors));
   for (const auto& n : record.neighbours)
     neighbours.push_back({{"id", n.id}, {"origin", values_of(n.origin)}, {"box", values_of(n.box)}});
+  for (const auto& d : record.doors) doors.push_back(json_of(d));
   for (const auto& v : record.viewpoints) viewpoints.push_back(json_of(v));
   for (const auto& [id, reason] : record.reasons) reasons[id] = name_of(reason);
   for (const auto& b : record.bodies) bodies.push_back(values_of(b));
@@ -170,6 +189,7 @@ std::string record_json(const SectorRecord& record) {
                      {"shapes", record.shapes},
                      {"ground", ground},
                      {"gates", gates},
+                     {"doors", doors},
                      {"neighbours", neighbours},
                      {"bodies", bodies},
                      {"visible", record.visible},
@@ -213,6 +233,7 @@ Node record_node(const SectorRecord& record) {
     for (const double v : values_of(b)) bodies.push_back(v);
   if (!bodies.empty()) node.add("value", numbers("bodies", std::move(bodies)));
   for (const auto& g : record.gates) node.add("value", gate_node(g, record.impostors));
+  for (const auto& d : record.doors) node.add("value", door_node(d));
   if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));

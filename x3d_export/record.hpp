@@ -30,6 +30,12 @@ struct PlaceName {
   PlanPoint at;
 };
 
+/// A door, and the place of what it leads to: that is not loaded before it is asked for.
+struct RecordDoor {
+  Door door;
+  SectorNeighbour to;
+};
+
 struct SectorRecord {
   Sector sector;
   PlanBox box;
@@ -40,6 +46,7 @@ struct SectorRecord {
   std::vector<std::string> visible;               ///< L_vis by id, with what none lacks: itself and its gate neighbours
   std::map<std::string, VisibleReason> reasons;   ///< of each in `visible`
   std::vector<std::string> over_roofs, unresolved;  ///< of `visible`: seen only above roofs; of these: not proven
+  std::vector<RecordDoor> doors;
   std::vector<Viewpoint> viewpoints;
   std::vector<Body> bodies;       ///< of the sector's objects, in their order
   std::vector<PlaceName> places;  ///< objects that bear a name, in their order; in ID.json alone

@@ -8,6 +8,7 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/segment.hpp"
+#include "city_db/wall_stretches.hpp"
 #include "x3d_export/facade_levels.hpp"
 #include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
@@ -75,11 +76,28 @@ void add_surfaces(FaceList& faces, const CityIndex& index, const Sector& sector)
   for (const Surface* s : surfaces) faces.add_ground(s->points, s->triangles, surface_colour(s->kind));
 }
 
+/// A wall with doors in it: what is beside, above and below them.
+void add_pieces(FaceList& faces, const std::vector<WallStretch>& pieces, const Building& house,
+                const LeveledStretches& levels) {
+  for (const WallStretch& piece : pieces) {
+    const auto leveled = levels.find({piece.a, piece.b});
+    const double top_m = leveled == levels.end() ? wall_top_m(house) : leveled->second;
+    const double sill_m = piece.door ? piece.door->sill_m - house.ground_m : top_m;
+    faces.add_wall(piece.a, piece.b, -house.foot_m, sill_m, house.wall_colour);
+    if (piece.door) faces.add_wall(piece.a, piece.b, sill_m + piece.door->height_m, top_m, house.wall_colour);
+  }
+}
+
 /// The walls of a border, corner by corner. Of those that come with levels of detail only what is below the facade.
 void add_walls_without_levels(FaceList& faces, const Border& border, const Building& house,
-                              const LeveledStretches& levels) {
+                              const LeveledStretches& levels, const std::vector<const Door*>& doors) {
   const auto runs = straight_runs(border.line);
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    const auto pieces = wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors);
+    if (pieces.size() != 1 || pieces.front().door) {
+      add_pieces(faces, pieces, house, levels);
+      continue;
+    }
     const auto leveled = levels.find({border.line[runs[i]], border.line[runs[i + 1]]});
     const double top_m = leveled == levels.end() ? wall_top_m(house) : leveled->second;
     add_walls(faces,
@@ -127,7 +145,7 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
     faces.set_lift(house->ground_m);
     const auto mean = from_afar.find(house->id);
     if (detail == Detail::near)
-      add_walls_without_levels(faces, *border, *house, levels);
+      add_walls_without_levels(faces, *border, *house, levels, index.doors_of(sector.id));
     else
       add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house),
                 mean == from_afar.end() ? house->wall_colour : mean->second);

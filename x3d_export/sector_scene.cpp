@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "city_db/surroundings.hpp"
+#include "x3d_export/door_nodes.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
@@ -158,6 +159,8 @@ std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<La
   if (parts.detail == Detail::near && parts.format != SceneFormat::vrml)
     for (Node& impostor : impostor_nodes(parts.index, parts.sector))
       nodes.push_back(sized(std::move(impostor), parts.format));
+  if (parts.detail == Detail::near)
+    for (Node& door : door_nodes(parts.index, parts.sector)) nodes.push_back(sized(std::move(door), parts.format));
   for (const Layer& layer : layers)
     for (auto& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)

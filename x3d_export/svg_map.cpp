@@ -82,6 +82,8 @@ std::string sector_colour(SectorKind kind, int hue) {
       return hsl_colour(degrees, 0.28, 0.89);
     case SectorKind::passage:
       return hsl_colour(degrees, 0.4, 0.5);
+    case SectorKind::interior:
+      return hsl_colour(45, 0.6, 0.9);
     case SectorKind::open:
       return hsl_colour(90 + degrees / 12, 0.3, 0.84);
   }

@@ -7,10 +7,12 @@ const kPushes = 6;
 const kClearanceSlackMm = 2;
 /** mm within which a visitor off every ground is taken back onto it. */
 const kRescueMm = 5000;
+/** mm that a door's line may lie off the wall it stands in; that its threshold reaches to both sides. */
+const kDoorOffMm = 12, kThresholdMm = 60;
 
 /**
  * What stops a visitor in plan. Walls: every ground edge of the sectors that are there, but the gates between two of
- * them. Bodies: what stands on the ground (a trunk, a lamp, a bench), each a disc.
+ * them, and the doors between two of them that are open. Bodies: what stands on the ground (a trunk, a lamp, a bench), each a disc.
  *
  * Frame   plan lattice, mm. A wall has its ground on the left.
  * Needs   sectors with ground (sectorFromRecord); a gate's edges are edges of the ground, same vertices.
@@ -18,11 +20,14 @@ const kRescueMm = 5000;
  *         body, or p's own clearance where p has less: a walker in a crack may leave it.
  */
 export class GroundWalls {
-    constructor(sectors, radius = kVisitorRadiusMm) {
+    /** `open`: ids of doors that let people through. */
+    constructor(sectors, radius = kVisitorRadiusMm, open = []) {
         const there = new Set(sectors.map(sector => sector.id));
         this.radius = radius;
         this.sectors = sectors;
-        this.walls = sectors.flatMap(sector => wallsOf(sector, there));
+        const doors = sectors.flatMap(sector => sector.doors ?? []).filter(door => open.includes(door.id) && there.has(door.to));
+        this.thresholds = doors.map(thresholdOf);
+        this.walls = sectors.flatMap(sector => withoutDoors(wallsOf(sector, there), doors.filter(door => door.from === sector.id)));
         this.bodies = sectors.flatMap(sector => sector.bodies);
     }
 
@@ -33,7 +38,8 @@ export class GroundWalls {
 
     isOnGround(point) {
         const at = point.map(Math.round);
-        return this.sectors.some(sector => boxContains(sector.box, at) && isInside(sector.ground, at));
+        return this.sectors.some(sector => boxContains(sector.box, at) && isInside(sector.ground, at))
+            || this.thresholds.some(ring => isInside([ring], at));
     }
 
     /** Distance to the nearest wall or body; below 0 within a body. */
@@ -113,6 +119,28 @@ function wallsOf(sector, there) {
         if (there.has(gate.to))
             for (let i = 1; i < gate.line.length; ++i) open.add(`${gate.line[i - 1]},${gate.line[i]}`);
     return edgesOf(sector).filter(([a, b]) => !open.has(`${a},${b}`));
+}
+
+/** Walls with gaps where doors stand open: a wall's points and a door's line agree within kDoorOffMm. */
+function withoutDoors(walls, doors) {
+    return doors.reduce((left, { line }) => left.flatMap(wall => cutBy(wall, line)), walls);
+}
+
+function cutBy([a, b], [p, q]) {
+    const length = distance(a, b), along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+    const shareOf = point => ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / length;
+    const from = Math.max(0, shareOf(p)), to = Math.min(1, shareOf(q));
+    if (!(from < to)) return [[a, b]];
+    const at = share => [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
+    if (distance(nearestOnSegment(p, q, at((from + to) / 2)), at((from + to) / 2)) > kDoorOffMm) return [[a, b]];
+    return [[a, at(from)], [at(to), b]].filter(([c, d]) => distance(c, d) >= 1);
+}
+
+/** Ground under a door: where roundings leave a crack between two grounds. */
+function thresholdOf({ line: [a, b] }) {
+    const length = distance(a, b), out = [(b[1] - a[1]) / length * kThresholdMm, -(b[0] - a[0]) / length * kThresholdMm];
+    return [[a[0] + out[0], a[1] + out[1]], [b[0] + out[0], b[1] + out[1]], [b[0] - out[0], b[1] - out[1]], [a[0] - out[0], a[1] - out[1]]]
+        .map(corner => corner.map(Math.round));
 }
 
 function pushOff(a, b, at, point, radius) {

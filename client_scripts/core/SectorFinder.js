@@ -1,5 +1,5 @@
 import { GateTracker } from './GateTracker.js';
-import { boxContains, distance, distanceToEdges, isInside } from './planGeometry.js';
+import { boxContains, distance, distanceToEdges, distanceToLine, isInside } from './planGeometry.js';
 import { depthInBox, tightBox } from './tightBox.js';
 
 /** mm beyond the current sector at which another becomes current: a step back at a gate changes nothing. */
@@ -17,6 +17,8 @@ export const kJumpMm = 5000;
  * While he walks, the current sector and those behind its gates are tested; after a jump, or when none of them has him,
  * all that are known. A change fires `marginMm` beyond what is left: the scaled box, the scaled gate, and for polygons
  * the same distance from the ground. Where no ground holds him the current sector stays.
+ *
+ * Through doors, and inside, the polygons tell, whatever the test: boxes of streets hold the houses beside them.
  *
  * Frame   plan lattice, mm.
  * Error   polygon: none beyond the margin. box: none beyond the margin where one box alone holds him. gate: none beyond
@@ -37,9 +39,23 @@ export class SectorFinder {
     /** The id of the sector at `point`; `sectors`: id -> sector (sectorRecord.js). */
     find(sectors, currentId, point) {
         const isJump = this.last === null || distance(this.last, point) > kJumpMm;
-        const found = kTests[this.test](this, sectors, sectors.get(currentId), point, isJump);
+        const indoors = this.findIndoors(sectors, sectors.get(currentId), point, isJump);
+        const found = indoors ?? kTests[this.test](this, sectors, sectors.get(currentId), point, isJump);
+        if (indoors) this.gates.reset(indoors, sectors.get(indoors));
         this.last = point;
         return found ?? currentId;
+    }
+
+    /** Where doors are in play: the sector that has him, by its ground whatever the test; null: no door matters. */
+    findIndoors(sectors, current, point, isJump) {
+        if (isJump) return [...sectors.values()].find(sector => sector.isInterior && hasInside(sector, point))?.id ?? null;
+        if (!current?.ground) return null;
+        for (const { to, line } of current.doors ?? []) {
+            const behind = sectors.get(to);
+            if (behind && hasInside(behind, point) && !hasInside(current, point))
+                return distanceToLine(line, point) > this.marginMm ? behind.id : current.id;
+        }
+        return current.isInterior && hasInside(current, point) ? current.id : null;
     }
 }
 

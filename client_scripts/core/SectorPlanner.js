@@ -31,7 +31,8 @@ const kLongestFrame = 1;
  * Frame   positions and records in plan metres, [east, north]; times in seconds, never decreasing.
  * Needs   every stem given to arrived() or failed() was returned in `load` before.
  * Cost    the set only when the sector, i or what is known changes; its order when something is missing.
- * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate.
+ * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate; doors in use add L_i of both
+ *         their sides.
  */
 export class SectorPlanner {
     /**
@@ -48,6 +49,7 @@ export class SectorPlanner {
         this.choice = new LevelChoice({ start: level, limit: nearOnly ? Math.min(limit, 1) : limit, fixed: fixedLevel });
         this.important = new Set();
         this.known = 0;             // grows with what is known
+        this.beyondDoors = [];      // ids of sectors on both sides of doors in use: Doors.wanted
         this.last = { point: null, now: 0, isDisturbed: true, walk: null };
     }
 
@@ -173,9 +175,23 @@ export class SectorPlanner {
     }
 
     setAround(current) {
-        const key = `${current.id} ${this.i} ${this.known}`;
-        if (this.set?.key !== key) this.set = { key, sectors: sectorsWithin(this.sectors, current, this.i) };
+        const key = [current.id, this.i, this.known, ...this.beyondDoors].join(' ');
+        if (this.set?.key !== key) this.set = { key, sectors: this.setWithDoors(current) };
         return this.set.sectors;
+    }
+
+    /** L_i, and L_i of what is behind doors in use: these first, because somebody waits for them. */
+    setWithDoors(current) {
+        const set = sectorsWithin(this.sectors, current, this.i);
+        for (const id of this.beyondDoors) {
+            const behind = this.sectors.get(id);
+            if (!behind) continue;
+            for (const [other, { ring, level }] of sectorsWithin(this.sectors, behind, this.i)) {
+                const there = set.get(other);
+                if (!there || urgencyOf(level) < urgencyOf(there.level)) set.set(other, { ring: Math.min(ring, there?.ring ?? ring), level });
+            }
+        }
+        return set;
     }
 
     /**

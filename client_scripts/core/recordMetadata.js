@@ -12,6 +12,7 @@ export function recordFromMetadata(set) {
     delete record.ground_counts;
     record.bodies = tuples(record.bodies ?? [], 3);
     record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2), ...impostorOf(gate) }));
+    record.doors = setsOf(set, 'door').map(door => ({ ...door, line: tuples(door.line ?? [], 2) }));
     record.neighbours = neighboursOf(record);
     return record;
 }

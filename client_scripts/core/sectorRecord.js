@@ -17,11 +17,13 @@ export function sectorFromRecord(record) {
     sector.name = record.name ?? '';
     sector.ground = record.ground.map(ring => ring.map(latticePoint));
     sector.gates = (record.gates ?? []).map(gate => gateFromRecord(gate, record.id));
+    sector.isInterior = sector.kind === 'interior';
+    sector.doors = (record.doors ?? []).map(door => doorFromRecord(door, record.id));
     sector.bodies = (record.bodies ?? []).map(bodyFromRecord);
     sector.visible = [...(record.visible ?? [])];
     sector.overRoofs = [...(record.over_roofs ?? [])];
     sector.important = [...(record.important ?? [])];
-    sector.neighbours = (record.neighbours ?? []).map(sectorFromNeighbour);
+    sector.neighbours = [...record.neighbours ?? [], ...(record.doors ?? []).map(door => ({ ...door, id: door.to }))].map(sectorFromNeighbour);
     const overRoofs = new Set(sector.overRoofs), behind = sector.gates.map(gate => gate.to).filter(Boolean);
     sector.leads = [...new Set([...behind, ...sector.visible.filter(id => !overRoofs.has(id))])];
     return sector;
@@ -48,6 +50,13 @@ function gateFromRecord(gate, sectorId) {
         throw new Error(`sector ${sectorId}: gate ${gate.id} has no line`);
     return { id: gate.id ?? '', to: gate.to || null, kind: gate.kind ?? '', hasImpostor: Boolean(gate.impostor),
         line: gate.line.map(latticePoint) };
+}
+
+/** `from`: the sector that it is a door of. */
+function doorFromRecord({ id, twin, to, line }, sectorId) {
+    if (!id || !twin || !to || !Array.isArray(line) || line.length !== 2)
+        throw new Error(`sector ${sectorId}: door ${id} lacks its twin, where it leads or its line`);
+    return { id, twin, from: sectorId, to, line: line.map(latticePoint) };
 }
 
 function bodyFromRecord([east, north, radius]) {

@@ -10,7 +10,7 @@ const kNew = 0.2;
  * puts at most one into the world per frame. The Script's counterpart is x3d/InlineSectors.
  *
  * Needs   `stage` (XIteAdapter): place(origin), makeScene(text), fill(place, scene), empty(place), recordOf(scene),
- * setImpostor(scene, gateId, opacity).
+ * setImpostor(scene, gateId, opacity), setDoor(scene, doorId, look), touchTime(scene, doorId).
  */
 export class FetchedSectors {
     constructor(stage, base, { request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
@@ -88,6 +88,16 @@ export class FetchedSectors {
     /** Needs   phase(stem) == 'live'. */
     setImpostor(stem, gate, opacity) {
         this.stage.setImpostor(this.files.get(stem).scene, gate, opacity);
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    setDoor(stem, door, look) {
+        this.stage.setDoor(this.files.get(stem).scene, door, look);
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    touchTime(stem, door) {
+        return this.stage.touchTime(this.files.get(stem).scene, door);
     }
 
     links(stem) {

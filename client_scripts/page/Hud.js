@@ -1,18 +1,18 @@
 const kKindNames = {
-    street: 'Street', crossroads: 'Crossroads', square: 'Square', yard: 'Yard', passage: 'Passage', open: 'Open ground',
+    street: 'Street', crossroads: 'Crossroads', square: 'Square', yard: 'Yard', passage: 'Passage', open: 'Open ground', interior: 'Inside a house',
 };
 const kMessageSeconds = 4;
 
-/** The words and bars over the 3D view. Needs the elements of index.html. */
+/** The words and bars over the 3D view. Needs the elements of index.html; dialogs may be missing (x3dom.html). */
 export class Hud {
     constructor(page = document) {
         this.page = page;
         this.loading = '';
         this.at = id => page.getElementById(id);
-        this.at('help-button').addEventListener('click', () => this.toggleHelp());
-        this.at('help-close').addEventListener('click', () => this.toggleHelp(false));
-        this.at('settings-close').addEventListener('click', () => this.toggleSettings(false));
-        this.at('find-close').addEventListener('click', () => this.toggleFind(false));
+        this.at('help-button')?.addEventListener('click', () => this.toggleHelp());
+        this.at('help-close')?.addEventListener('click', () => this.toggleHelp(false));
+        this.at('settings-close')?.addEventListener('click', () => this.toggleSettings(false));
+        this.at('find-close')?.addEventListener('click', () => this.toggleFind(false));
         this.timer = 0;
         this.city = 'Vicus';
     }
@@ -60,6 +60,13 @@ export class Hud {
     bytes(count) {
         if (count < 1e6) return `${Math.round(count / 1e3)} kB`;
         return `${(count / 1e6).toFixed(count < 1e7 ? 1 : 0)} MB`;
+    }
+
+    /** What one can do to the door that one stands before; null: there is none. */
+    showDoor(near) {
+        const button = this.at('door-button'), text = near?.isShut ? 'Open the door' : 'Shut the door';
+        if (button.hidden !== !near) button.hidden = !near;
+        if (near && button.firstChild.data !== text) button.firstChild.data = text;
     }
 
     /** A file that failed stays one while it is asked for again. */

@@ -1,6 +1,6 @@
 const kMostListed = 14;
 const kLead = {
-    street: 'A street', crossroads: 'A crossroads', square: 'A square', yard: 'A yard', passage: 'A passage', open: 'Open ground',
+    street: 'A street', crossroads: 'A crossroads', square: 'A square', yard: 'A yard', passage: 'A passage', open: 'Open ground', interior: 'Inside a house',
 };
 /** Words for objects' kinds, in groups. What is not here stands under the last. */
 const kGroups = {

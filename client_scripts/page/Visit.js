@@ -37,6 +37,22 @@ export class Visit {
         return this.records.find(record => record.id === this.current);
     }
 
+    /** Ids of doors that let him through. */
+    get openDoors() {
+        return this.loader.doors.open;
+    }
+
+    /** { door, isShut } that he stands before, or null. */
+    doorNear(pose) {
+        return this.loader.doors.near([pose.east * 1000, pose.north * 1000], this.planner.sectors.get(this.current), pose.heading);
+    }
+
+    /** Opens the door that he stands before, or shuts it. */
+    touchDoor(pose, now) {
+        const near = this.doorNear(pose);
+        if (near) this.loader.doors.touch(near.door, this.current, now);
+    }
+
     /** One frame: what is asked for, given up, put into the world. */
     step(pose, now) {
         const { waitSeconds } = this.files;

@@ -37,12 +37,12 @@ export class Walker {
         this.detour = null;   // { way: lattice points still to go to, towards: what was wanted }
     }
 
-    /** `records` of the sectors that are there; cheap when they are the same as before. */
-    setGround(records) {
-        const key = records.map(record => record.id).sort().join(' ');
+    /** `records` of the sectors that are there, `open`: doors that are open; cheap when they are the same as before. */
+    setGround(records, open = []) {
+        const key = [...records.map(record => record.id), ...open].sort().join(' ');
         if (key === this.key) return;
         this.key = key;
-        this.ground = new GroundWalls(records.map(sectorFromRecord));
+        this.ground = new GroundWalls(records.map(sectorFromRecord), undefined, open);
         this.open = this.ground.withoutBodies();
         this.heights = new GroundHeights(records.map(record => record.surface).filter(Boolean));
         this.detour = null;

@@ -102,7 +102,8 @@ function step(parts, seconds) {
     const { view, visit, walker, travel, player, controls, pad, frameRate } = parts, before = visit.records.length, pose = view.pose();
     visit.step(pose, performance.now() / 1000);
     const { records } = visit;
-    walker.setGround(records);
+    walker.setGround(records, visit.openDoors);
+    hud.showDoor(visit.doorNear(pose));
     const wish = pad.addTo(controls.wish(), seconds);
     const hasMoved = player.step(wish, seconds) || walker.step(travel.wish(wish, pose, seconds), seconds);
     const isSettled = records.length > 0 && visit.sectors.every(sector => sector.phase !== 'loading');
@@ -154,6 +155,7 @@ function commandsFor({ view, visit, travel, player, find }) {
             find.open();
         },
         KeyK: () => player.toggle(),
+        KeyI: () => visit.touchDoor(view.pose(), performance.now() / 1000),
         KeyN: () => travel.next(), PageDown: () => travel.next(), KeyP: () => travel.previous(), PageUp: () => travel.previous(),
         KeyR: () => travel.to(visit.homePose),
         KeyL: () => share(view, visit),
@@ -163,6 +165,7 @@ function commandsFor({ view, visit, travel, player, find }) {
 function connectButtons({ map }, commands) {
     const actions = {
         'side-button': commands.KeyM, 'pad-button': commands.KeyB, 'settings-button': commands.KeyO, 'find-button': commands.KeyF, share: commands.KeyL,
+        'door-button': commands.KeyI,
         'view-next': commands.KeyN, 'view-previous': commands.KeyP,
         'map-in': () => map.zoomBy(1), 'map-out': () => map.zoomBy(-1), 'map-home': () => map.follow(),
     };

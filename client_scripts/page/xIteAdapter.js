@@ -1,6 +1,8 @@
+import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
+import { axisAngle } from './axisAngle.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
@@ -87,6 +89,17 @@ export class XIteAdapter {
         fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
     }
 
+    /** Opens a door and lights what is behind it, as core/Doors has it. */
+    setDoor(scene, door, look) {
+        const { SFRotation, SFColor } = this.X3D;
+        paintDoor(door, look, { find: name => scene.getNamedNode(name), rotation: (...v) => new SFRotation(...v), color: (...v) => new SFColor(...v) });
+    }
+
+    /** s: when a door was clicked last, 0: never. */
+    touchTime(scene, door) {
+        return scene.getNamedNode(`DOOR-TOUCH-${door}`).touchTime;
+    }
+
     /** [{ name, east, north, heading }] in a sector's scene, `origin` its place in plan. */
     viewpointsOf(scene, [east, north]) {
         const nodes = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Viewpoint');
@@ -154,14 +167,6 @@ function surfaceOf(scene, [east, north]) {
 
 function clampUnit(value) {
     return Math.min(1, Math.max(-1, value));
-}
-
-/** Turn about up by -heading, then about the eye's own right by pitch, as X3D writes a rotation: axis and angle. */
-export function axisAngle(heading, pitch) {
-    const sy = Math.sin(-heading / 2), cy = Math.cos(-heading / 2), sp = Math.sin(pitch / 2), cp = Math.cos(pitch / 2);
-    const [x, y, z, w] = [cy * sp, sy * cp, -sy * sp, cy * cp];
-    const length = Math.hypot(x, y, z);
-    return length < 1e-9 ? [0, 1, 0, 0] : [x / length, y / length, z / length, 2 * Math.atan2(length, w)];
 }
 
 /** X3D's LOD changes level exactly at its range; here all LOD nodes keep their level near a threshold. */

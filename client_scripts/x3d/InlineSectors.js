@@ -1,3 +1,4 @@
+import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { loadPhase } from '../core/loadPhase.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
@@ -9,8 +10,12 @@ import { recordFromMetadata } from '../core/recordMetadata.js';
  * Differs paper 004 §5 deletes the Inline (VRML97); X3D has Inline.load, so the nodes stay and only the content goes.
  */
 export class InlineSectors {
-    /** `scene` creates nodes; ids, inlines run in step: near files that the root world has a place for. */
-    constructor({ scene, world, base, ids, inlines }) {
+    /**
+     * `scene` creates nodes; ids, inlines run in step: near files that the root world has a place for; `values`: { rotation,
+     * color } of paintDoor.
+     */
+    constructor({ scene, world, base, ids, inlines, values }) {
+        this.values = values;
         this.scene = scene;
         this.world = world;
         this.base = base;
@@ -34,9 +39,8 @@ export class InlineSectors {
 
     /** Needs   phase(stem) == 'live'.   Fails   Error: no record in the file. */
     record(stem) {
-        const scene = this.inlines.get(stem).getValue().getInternalScene();
         try {
-            return recordFromMetadata(scene.getNamedNode('RECORD'));
+            return recordFromMetadata(this.sceneOf(stem).getNamedNode('RECORD'));
         } catch (error) {
             throw new Error(`sector ${stem}: its file carries no RECORD that can be read: ${error.message}`);
         }
@@ -53,8 +57,22 @@ export class InlineSectors {
 
     /** Needs   phase(stem) == 'live'. */
     setImpostor(stem, gate, opacity) {
-        const scene = this.inlines.get(stem).getValue().getInternalScene();
-        fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
+        fadeImpostor(this.sceneOf(stem).getNamedNode(`IMPOSTOR-${gate}`), opacity);
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    setDoor(stem, door, look) {
+        const scene = this.sceneOf(stem);
+        paintDoor(door, look, { find: name => scene.getNamedNode(name), ...this.values });
+    }
+
+    /** s: when a door was clicked last, 0: never. Needs   phase(stem) == 'live'. */
+    touchTime(stem, door) {
+        return this.sceneOf(stem).getNamedNode(`DOOR-TOUCH-${door}`).touchTime;
+    }
+
+    sceneOf(stem) {
+        return this.inlines.get(stem).getValue().getInternalScene();
     }
 
     makeAlarm(seconds) {

@@ -5,7 +5,7 @@ import { VrmlSectors } from './VrmlSectors.js';
 // The LOADER Script of the root world (client_scripts/README.md); its fields are in scope by name:
 // start, base, level, sector_test, ids, inlines, places, origins, world, sector_changed, level_changed. Bundled with core/
 // into /client/loader.js.
-/* global Browser, MFNode, MFString, start, base, level, sector_test, ids, inlines, places, origins, world,
+/* global Browser, MFNode, MFString, SFColor, SFRotation, start, base, level, sector_test, ids, inlines, places, origins, world,
    sector_changed:writable, level_changed:writable */
 let loader = null;
 let visitor = null;
@@ -22,7 +22,8 @@ function initialize() {
     const sectors = isVrml97
         ? new VrmlSectors({ browser: Browser, world, base, ids, places,
             nodes: node => new MFNode(node), strings: text => new MFString(text) })
-        : new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines });
+        : new InlineSectors({ scene: Browser.currentScene, world, base, ids, inlines, values: {
+            rotation: (...numbers) => new SFRotation(...numbers), color: (...numbers) => new SFColor(...numbers) } });
     loader = new SectorLoader(start, sectors, { complain: text => Browser.println(text), nearOnly: isVrml97,
         fixedLevel: level === '' ? null : Number(level), test: sector_test });
     Array.from(ids).forEach((id, i) => loader.planner.addNeighbour({

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string_view>
 
 #include "sectorgen/geo/tag_values.hpp"
@@ -144,6 +145,8 @@ std::optional<Theme> theme_of_polygon(const Tags& tags) {
   static const Words towers = {"tower", "water_tower", "chimney", "storage_tank", "silo", "gasometer"};
   if (towers.count(tag(tags, "man_made")) && !has_tag(tags, "building") && !is_below_ground(tags))
     return Theme::building;
+  static const Words rooms = {"room", "corridor", "area"};
+  if (rooms.count(tag(tags, "indoor"))) return Theme::room;
   if (is_water(tags)) return Theme::water;
   if (tag(tags, "man_made") == "bridge" && !is_below_ground(tags)) return Theme::deck;
   if (is_square(tags)) return Theme::square;
@@ -185,10 +188,22 @@ double track_width_m(const Tags& tags) {
   return width && *width > 0 && *width < 20 ? *width : kPathWidthM;
 }
 
+bool is_on_ground_floor(const Tags& tags) {
+  std::istringstream levels(tag(tags, "level"));
+  bool has_levels = false;
+  for (std::string level; std::getline(levels, level, ';');) {
+    has_levels = true;
+    if (const auto number = parse_number(level); number && *number == 0) return true;
+  }
+  return !has_levels;
+}
+
 std::string kind_of_point(const Tags& tags) {
   if (tags.empty()) return "";
   if (tag(tags, "natural") == "tree") return "tree";
   if (has_tag(tags, "entrance") && tag(tags, "entrance") != "no") return "door";
+  if (tag(tags, "indoor") == "door" || (has_tag(tags, "door") && tag(tags, "door") != "no"))
+    return is_on_ground_floor(tags) ? "indoor_door" : "";
   for (const char* key : {"artwork_type", "memorial"})
     if (tag(tags, key) == "statue") return "statue";
   if (has_tag(tags, "shop")) return "shop";

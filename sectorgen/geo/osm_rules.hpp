@@ -12,7 +12,10 @@ namespace vicus {
 std::optional<Theme> theme_of_polygon(const Tags& tags);
 /// street (an axis: research "which lines are axes"), barrier or track (only drawn); nothing: none of them.
 std::optional<Theme> theme_of_line(const Tags& tags);
-/// The kind of a mapped point: tree, street_lamp, fountain, bench, door, shop, ...; "" for an untagged one.
+/// `level` is missing or has 0 in its list.
+bool is_on_ground_floor(const Tags& tags);
+/// The kind of a mapped point: tree, street_lamp, fountain, bench, door (an entrance), indoor_door, shop, ...; "" for
+/// an untagged one, and for doors of other floors.
 std::string kind_of_point(const Tags& tags);
 
 /// True for a tagged node that lets people through the wall or fence it lies on.

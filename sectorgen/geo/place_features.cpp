@@ -131,6 +131,14 @@ class Placer {
       footprint.tags = is_last ? std::move(feature.tags) : feature.tags;
       map_.footprints.push_back(std::move(footprint));
       is_cut_.push_back(feature.is_cut);
+    } else if (feature.theme == Theme::room) {
+      Room room;
+      room.source_id = feature.source_id;
+      room.name = tag(feature.tags, "name");
+      room.area = std::move(polygon);
+      room.height_m = parse_metres(tag(feature.tags, "height")).value_or(0);
+      room.is_on_ground_floor = is_on_ground_floor(feature.tags);
+      map_.rooms.push_back(std::move(room));
     } else if (feature.theme == Theme::cover) {
       map_.covers.push_back({feature.source_id, surface_of(feature.tags), std::move(polygon)});
     } else {

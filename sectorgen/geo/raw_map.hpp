@@ -7,7 +7,22 @@
 /// What the file readers hand on: classified features in degrees, with OSM-like tags, not yet projected or checked.
 namespace vicus {
 
-enum class Theme { building, part, square, park, water, plot, deck, street, barrier, object, boundary, cover, track };
+enum class Theme {
+  building,
+  part,
+  square,
+  park,
+  water,
+  plot,
+  deck,
+  street,
+  barrier,
+  object,
+  boundary,
+  cover,
+  track,
+  room
+};
 
 /// One feature of one theme. `lines` is, by theme: a polygon's rings, outer first; one centre line or wall; one point.
 struct RawFeature {

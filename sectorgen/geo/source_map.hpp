@@ -69,8 +69,18 @@ struct Track {
   std::vector<PlanPoint> line;
 };
 
+/// A room as mapped, inside a house.
+struct Room {
+  std::string source_id, name;
+  std::string house;             ///< a building's id or its source's; empty: the one around it
+  Polygon area;                  ///< valid, as in Footprint; no outline: all of the house
+  std::vector<PlanPoint> doors;  ///< places on or near its outline; none: the doors mapped there
+  double height_m = 0;           ///< 0: unknown
+  bool is_on_ground_floor = true;
+};
+
 struct PointObject {
-  std::string source_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, door, ...
+  std::string source_id, kind, name;  ///< kind: tree, street_lamp, fountain, bench, door, indoor_door, ...
   PlanPoint at;
   double height_m = 0;
   Tags tags;
@@ -100,6 +110,7 @@ struct SourceMap {
   std::vector<GroundCover> covers;
   std::vector<Track> tracks;
   std::vector<PointObject> objects;
+  std::vector<Room> rooms;
   std::map<std::string, HouseModel> models;  ///< by source_id of the footprint
   std::vector<Polygon> boundary;             ///< --boundary; empty: the domain is derived
   std::string name;                          ///< what the map calls the place; empty: nothing, or several things

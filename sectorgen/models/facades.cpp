@@ -9,6 +9,8 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/house_parts.hpp"
+#include "city_db/segment.hpp"
+#include "city_db/wall_stretches.hpp"
 #include "sectorgen/models/facade_choice.hpp"
 #include "sectorgen/models/tag_colours.hpp"
 
@@ -40,6 +42,7 @@ class FacadeLayout {
  public:
   explicit FacadeLayout(City& city) : city_(city) {
     for (std::size_t i = 0; i < city.buildings.size(); ++i) building_.emplace(city.buildings[i].id, i);
+    for (const Door& door : city.doors) doors_in_[door.sector_id].push_back(&door);
   }
 
   void run() {
@@ -62,19 +65,25 @@ class FacadeLayout {
  private:
   void add_border(const Border& border, const Building& house) {
     const auto runs = straight_runs(border.line);
-    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      Facade f;
-      f.sector_id = border.sector_id;
-      f.building_id = house.id;
-      f.a = border.line[runs[i]];
-      f.b = border.line[runs[i + 1]];
-      if (f.a == f.b) continue;
-      f.top_m = top_of(house);
-      f.style = style_of(house);
-      if (!lay_out_bays(f)) continue;
-      f.floors = floors_of(house, f.style, f.top_m);
-      city_.facades.push_back(std::move(f));
-    }
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+      for (const WallStretch& piece :
+           wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]))
+        if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b);
+  }
+
+  void add_stretch(const std::string& sector_id, const Building& house, PlanPoint a, PlanPoint b, double bottom_m = 0) {
+    Facade f;
+    f.sector_id = sector_id;
+    f.building_id = house.id;
+    f.a = a;
+    f.b = b;
+    if (f.a == f.b) return;
+    f.bottom_m = bottom_m;
+    f.top_m = top_of(house);
+    f.style = style_of(house);
+    if (!lay_out_bays(f)) return;
+    f.floors = floors_of(house, f.style, f.top_m - f.bottom_m);
+    city_.facades.push_back(std::move(f));
   }
 
   /// Walls of a house's part above lower parts of the same house.
@@ -96,17 +105,7 @@ class FacadeLayout {
       for (const SideWall& wall : part.side_walls) {
         const auto below = house_at.find({wall.b, wall.a});
         if (below == house_at.end() || *below->second != house->second) continue;
-        Facade f;
-        f.sector_id = part.sector_id;
-        f.building_id = part.id;
-        f.a = wall.b;
-        f.b = wall.a;
-        f.bottom_m = wall.bottom_m;
-        f.top_m = top_of(part);
-        f.style = style_of(part);
-        if (!lay_out_bays(f)) continue;
-        f.floors = floors_of(part, f.style, f.top_m - f.bottom_m);
-        city_.facades.push_back(std::move(f));
+        add_stretch(part.sector_id, part, wall.b, wall.a, wall.bottom_m);
       }
     }
   }
@@ -123,9 +122,18 @@ class FacadeLayout {
     return best;
   }
 
+  /// Is it the place of a door that opens? That one is not painted.
+  bool leads_in(const StandaloneObject& object) const {
+    const auto at = doors_in_.find(object.sector_id);
+    return at != doors_in_.end() && std::any_of(at->second.begin(), at->second.end(), [&](const Door* door) {
+             return distance_to_segment_mm(object.at, door->a, door->b) < kDoorReach_m * kMmPerMetre;
+           });
+  }
+
   void place_shops_and_doors() {
     for (const StandaloneObject& object : city_.objects) {
       if (object.kind == "door") {
+        if (leads_in(object)) continue;
         if (const std::size_t i = nearest(object.sector_id, object.at, kDoorReach_m); i != kNone) {
           Facade& f = city_.facades[i];
           const int bay = static_cast<int>(foot_on(f, object.at).along_m / length_m(f) * f.bays * f.repeats);
@@ -144,7 +152,10 @@ class FacadeLayout {
   void add_missing_doors() {
     std::map<std::string, bool> is_yard;
     for (const auto& s : city_.sectors) is_yard[s.id] = s.kind == SectorKind::yard;
+    std::set<std::string> open_houses;
+    for (const Door& door : city_.doors) open_houses.insert(door.building_id);
     for (const auto& [house, list] : of_house_) {
+      if (open_houses.contains(house)) continue;
       if (std::any_of(list.begin(), list.end(), [&](std::size_t i) { return city_.facades[i].door_bay >= 0; }))
         continue;
       const auto rank = [&](std::size_t i) {
@@ -161,6 +172,7 @@ class FacadeLayout {
   std::unordered_map<std::string, std::size_t> building_;
   std::unordered_map<std::string, std::vector<std::size_t>> in_sector_;
   std::map<std::string, std::vector<std::size_t>> of_house_;
+  std::map<std::string, std::vector<const Door*>> doors_in_;  // by sector
 };
 
 }  // namespace

@@ -220,6 +220,7 @@ SurfaceKind plain_ground(SectorKind kind) {
     case SectorKind::passage:
       return SurfaceKind::paving;
     case SectorKind::yard:
+    case SectorKind::interior:  // has a floor of its own
       return SurfaceKind::earth;
     case SectorKind::open:
       return SurfaceKind::grass;

@@ -99,6 +99,7 @@ void furnish(const SourceMap& map, const Plan& plan, City& city) {
   const Locator locator(plan.ground.mesh);
   std::map<std::string, int> used;
   for (const auto& o : map.objects) {
+    if (o.kind == "indoor_door") continue;  // interiors.hpp
     const std::uint32_t c = cell_near(plan, locator, o.at);
     if (c == kNone) continue;  // in a closed courtyard or out of the city
     StandaloneObject out;

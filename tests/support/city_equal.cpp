@@ -37,6 +37,11 @@ auto fields(const Prototype& p) { return std::tie(p.kind, p.points, p.triangles,
 auto fields(const Viewpoint& v) {
   return std::tie(v.id, v.sector_id, v.kind, v.name, v.at, v.ground_m, v.eye_m, v.heading_deg);
 }
+auto fields(const Interior& i) { return std::tie(i.sector, i.building_id, i.source_id, i.floor_m, i.height_m); }
+auto fields(const Door& d) {
+  return std::tie(d.id, d.twin_id, d.sector_id, d.to_sector_id, d.building_id, d.a, d.b, d.sill_m, d.height_m,
+                  d.recess_m);
+}
 auto fields(const Visible& v) {
   return std::tie(v.sector_id, v.visible_sector_id, v.reason, v.is_proven, v.building_ids);
 }
@@ -66,6 +71,8 @@ bool operator==(const RidePoint& a, const RidePoint& b) { return fields(a) == fi
 bool operator==(const Ride& a, const Ride& b) { return fields(a) == fields(b); }
 bool operator==(const Prototype& a, const Prototype& b) { return fields(a) == fields(b); }
 bool operator==(const Viewpoint& a, const Viewpoint& b) { return fields(a) == fields(b); }
+bool operator==(const Interior& a, const Interior& b) { return fields(a) == fields(b); }
+bool operator==(const Door& a, const Door& b) { return fields(a) == fields(b); }
 bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
 bool operator==(const GateImpostor& a, const GateImpostor& b) { return fields(a) == fields(b); }
 bool operator==(const Terrain& a, const Terrain& b) { return fields(a) == fields(b); }
@@ -107,6 +114,8 @@ std::string difference(const City& a, const City& b) {
   compare("rides", a.rides, b.rides, found);
   compare("prototypes", a.prototypes, b.prototypes, found);
   compare("viewpoints", a.viewpoints, b.viewpoints, found);
+  compare("interiors", a.interiors, b.interiors, found);
+  compare("doors", a.doors, b.doors, found);
   compare("visible", a.visible, b.visible, found);
   compare("impostors", a.impostors, b.impostors, found);
   compare("issues", a.issues, b.issues, found);

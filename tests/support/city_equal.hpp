@@ -22,6 +22,8 @@ bool operator==(const RidePoint& a, const RidePoint& b);
 bool operator==(const Ride& a, const Ride& b);
 bool operator==(const Prototype& a, const Prototype& b);
 bool operator==(const Viewpoint& a, const Viewpoint& b);
+bool operator==(const Interior& a, const Interior& b);
+bool operator==(const Door& a, const Door& b);
 bool operator==(const Visible& a, const Visible& b);
 bool operator==(const GateImpostor& a, const GateImpostor& b);
 bool operator==(const Terrain& a, const Terrain& b);

@@ -61,6 +61,9 @@ export function metadataOf(record) {
   const gates = record.gates.map(
       gate => set(
           'gate', leaf('id', gate.id), ...(gate.to ? [leaf('to', gate.to)] : []), leaf('line', ...gate.line.flat())));
+  const doors = (record.doors ?? []).map(
+      ({ id, to, twin, line, origin, box }) => set(
+          'door', leaf('id', id), leaf('to', to), leaf('twin', twin), leaf('line', ...line.flat()), leaf('origin', ...origin), leaf('box', ...box)));
   const all = key => record.neighbours.flatMap(other => other[key]);
   const neighbours = record.neighbours.length === 0 ? [] : [
     leaf('neighbour_ids', ...all('id')), leaf('neighbour_origins', ...all('origin')), leaf('neighbour_boxes', ...all('box'))];
@@ -68,6 +71,6 @@ export function metadataOf(record) {
       'sector', leaf('id', record.id), leaf('kind', record.kind), leaf('name', record.name),
       leaf('origin', ...record.origin), leaf('box', ...record.box), leaf('shapes', record.shapes),
       ...(record.bodies ? [leaf('bodies', ...record.bodies.flat())] : []), leaf('ground_counts', ...record.ground.map(ring => ring.length)), leaf('ground', ...record.ground.flat(2)),
-      ...gates, ...neighbours, ...(record.visible ? [leaf('visible', ...record.visible)] : []),
+      ...gates, ...doors, ...neighbours, ...(record.visible ? [leaf('visible', ...record.visible)] : []),
       ...(record.over_roofs?.length ? [leaf('over_roofs', ...record.over_roofs)] : []));
 }

@@ -132,6 +132,22 @@ function pointBefore(a, b, off) {
     return [(a[0] + b[0]) / 2 - off * (b[1] - a[1]) / length, (a[1] + b[1]) / 2 + off * (b[0] - a[0]) / length];
 }
 
+/** The first door from a street to an interior: { street, room, door, at(m): plan metres before (> 0) or behind it, heading that leads in }. */
+export async function firstDoor(origin) {
+    const { features } = await (await fetch(`${origin}/collections/sectors/items?limit=1000`)).json();
+    for (const { id } of features.sort((a, b) => (a.id < b.id ? -1 : 1))) {
+        const record = await (await fetch(`${origin}/sectors/${id}.json`)).json();
+        for (const door of record.doors ?? []) {
+            const room = await (await fetch(`${origin}/sectors/${door.to}.json`)).json();
+            const [[ax, ay], [bx, by]] = door.line, length = Math.hypot(bx - ax, by - ay);
+            const out = [-(by - ay) / length, (bx - ax) / length];
+            const at = metres => [(ax + bx) / 2 + metres * out[0], (ay + by) / 2 + metres * out[1]];
+            return { street: id, record, room, door, at, heading: Math.atan2(-out[0], -out[1]) };
+        }
+    }
+    throw new Error('the city has no door');
+}
+
 /** The server's own start, or the nearest sector from which a route leads. */
 export async function startWithRoute(map, gates) {
     const root = await (await fetch(`${map.origin}/city.x3d`)).text();

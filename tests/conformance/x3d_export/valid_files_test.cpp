@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/support/sample_city.hpp"
+#include "tests/support/sample_interior.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/x3d_text.hpp"
+#include "x3d_export/interior_scene.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
@@ -36,6 +37,11 @@ class WrittenCity {
         for (const auto detail : {Detail::far, Detail::tall})
           for (const auto& file : sector_files(index_, s, detail, format)) add(file.path, file.text);
       }
+      if (format != SceneFormat::vrml)
+        for (const auto& interior : city_.interiors) {
+          const auto file = interior_file(index_, interior, format);
+          add(file.path, file.text);
+        }
       RootOptions options;
       options.format = format;
       add(std::string("city") + suffix_of(format), *root_text(source_of(index_), options));
@@ -59,7 +65,7 @@ class WrittenCity {
     paths_.push_back(folder_ / name);
   }
 
-  City city_ = test::sample_city_with_facades();
+  City city_ = test::sample_city_with_interior();
   CityIndex index_{city_};
   ScratchDirectory folder_;
   std::vector<fs::path> paths_;
@@ -130,6 +136,31 @@ TEST(X3dAndVrmlFiles, AreReadBySomebodyElseWithoutAWord) {
       EXPECT_EQ(outcome.code, 0) << path;
       EXPECT_EQ(without_known_gap(outcome.errors), "") << path;
     }
+}
+
+/// view3dscene's picture of a file. Its exit code says nothing of what it could load: the picture does.
+std::string picture_of(const WrittenCity& city, const std::string& file) {
+  const fs::path picture = city.folder() / "picture.png";
+  fs::remove(picture);
+  const std::string show = std::getenv("DISPLAY") ? "" : "xvfb-run -a -s '-screen 0 800x600x24' ";
+  run(city, "HOME='" + city.folder().string() + "' " + show +
+                "timeout 60 view3dscene --geometry 640x480 --screenshot 0.5 '" + picture.string() + "' '" +
+                (city.folder() / file).string() + "'");
+  return fs::exists(picture) ? test::read_bytes(picture) : "";
+}
+
+TEST(StaticRoots, ShowTheirSectorsInView3dscene) {
+  if (!is_installed("view3dscene") || (!std::getenv("DISPLAY") && !is_installed("xvfb-run")))
+    GTEST_SKIP() << "needs view3dscene and a display, or xvfb-run";
+  const WrittenCity city;
+  const auto whole = picture_of(city, "static.x3d"), in_vrml = picture_of(city, "static.wrl");
+  fs::rename(city.folder() / "sectors", city.folder() / "away");
+  const auto bare = picture_of(city, "static.x3d");
+  ASSERT_FALSE(bare.empty());
+  ASSERT_FALSE(whole.empty());
+  EXPECT_EQ(bare, picture_of(city, "static.x3d")) << "equal worlds have equal pictures";
+  EXPECT_NE(whole, bare) << "the Inlines show nothing";
+  EXPECT_NE(in_vrml, bare) << "the Inlines show nothing";
 }
 
 TEST(X3djFiles, AreJsonWithAScene) {

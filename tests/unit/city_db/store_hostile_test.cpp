@@ -78,7 +78,7 @@ TEST(ReadCity, NamesAGeoPackageThatIsNoCity) {
   run_sql(path, "PRAGMA application_id=0x47504B47; CREATE TABLE roads(fid INTEGER PRIMARY KEY)");
   EXPECT_SAYS(refusal(path), "is a GeoPackage but no Vicus city: expected a table meta");
   run_sql(path, "CREATE TABLE meta(key, value)");
-  EXPECT_SAYS(refusal(path), "expected format_version 5 in its table meta, found none");
+  EXPECT_SAYS(refusal(path), "expected format_version 6 in its table meta, found none");
   run_sql(path, "INSERT INTO meta VALUES('format_version', '1x')");
   EXPECT_SAYS(refusal(path), "found 1x");
 }
@@ -87,10 +87,10 @@ TEST(ReadCity, RefusesOtherVersionsByName) {
   ScratchDirectory scratch;
   const fs::path path = scratch / "city.gpkg";
   write_city(path, test::sample_city(), nullptr);
-  run_sql(path, "UPDATE meta SET value = '6' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 5, found 6");
+  run_sql(path, "UPDATE meta SET value = '7' WHERE key = 'format_version'");
+  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 6, found 7");
   run_sql(path, "UPDATE meta SET value = '1' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "older vicus: expected format version 5, found 1; build the city again");
+  EXPECT_SAYS(refusal(path), "older vicus: expected format version 6, found 1; build the city again");
 }
 
 TEST(ReadCity, RefusesTablesThatAreNotOurs) {
@@ -99,7 +99,7 @@ TEST(ReadCity, RefusesTablesThatAreNotOurs) {
   const std::pair<const char*, const char*> cases[] = {
       {"DROP TABLE visible", "no table visible"},
       {"ALTER TABLE visible RENAME TO v; CREATE VIEW visible AS SELECT * FROM v", "no table visible"},
-      {"DROP TABLE meta; CREATE VIEW meta AS SELECT 'format_version' AS key, '5' AS value", "expected a table meta"},
+      {"DROP TABLE meta; CREATE VIEW meta AS SELECT 'format_version' AS key, '6' AS value", "expected a table meta"},
       {"DROP TABLE visible; CREATE VIRTUAL TABLE visible USING rtree(fid, sector_id, visible_sector_id)",
        "no table visible"},
       {"ALTER TABLE visible DROP COLUMN reason", "no such column: t.reason"}};

@@ -263,7 +263,6 @@ TEST_F(RoutesOfSampleCity, MakeTheRootWorldForAnyStart) {
     EXPECT_NE(root.body->find("sectors/" + sector.id + ".x3d"), std::string::npos) << sector.id;
   }
   EXPECT_NE(get("/city.x3d").body->find("<Script"), std::string::npos);
-  EXPECT_EQ(get("/city.x3d?static=1&i=1").body->find("<Script"), std::string::npos);
   EXPECT_NE(get("/city.x3d?i=2").body->find("name='level' type='SFString' accessType='initializeOnly' value='2'"),
             std::string::npos);
   EXPECT_NE(get("/city.x3d?test=gate").body->find("value='gate'"), std::string::npos);
@@ -271,6 +270,30 @@ TEST_F(RoutesOfSampleCity, MakeTheRootWorldForAnyStart) {
   const auto unknown = get("/city.x3d?start=nowhere");
   EXPECT_EQ(unknown.status, 404);
   EXPECT_NE(detail(unknown).find("nowhere"), std::string::npos);
+}
+
+/// For browsers without scripts: L_i as Inlines that load by themselves.
+TEST_F(RoutesOfSampleCity, MakeStaticRootWorlds) {
+  std::size_t before = 0;
+  for (const char* i : {"0", "1", "2", "3"}) {
+    const auto root = get(std::string("/city.x3d?static=1&start=s-yard&i=") + i);
+    ASSERT_EQ(root.status, 200);
+    const std::string& text = *root.body;
+    for (const char* part : {"<Script", "ProximitySensor", "load=", "ROUTE"}) EXPECT_EQ(text.find(part), text.npos);
+    std::size_t inlines = 0;
+    for (std::size_t at = 0; (at = text.find("<Inline", at)) != text.npos; ++at) ++inlines;
+    EXPECT_EQ(inlines, *i == '0' ? 1u : inlines);
+    EXPECT_GE(inlines, before) << "L_" << i << " holds L_i below it";
+    before = inlines;
+  }
+  EXPECT_EQ(before, test::sample_city().sectors.size());
+  for (const char* format : {".wrl", ".x3dj"})
+    EXPECT_EQ(get(std::string("/city") + format + "?static=1&start=s-yard").status, 200) << format;
+  EXPECT_EQ(get("/city.x3d?static=1&start=nowhere").status, 404);
+  for (const char* wrong : {"/city.x3d?static=2", "/city.x3d?static=", "/city.x3d?static=1&i=4",
+                            "/city.x3d?static=1&i=-1", "/city.x3d?static=1&i=1.5", "/city.x3d?static=1&i=",
+                            "/city.x3d?static=1&static=1", "/city.x3d?static=1&start=a/b", "/city.x3d?static=1&start="})
+    EXPECT_EQ(get(wrong).status, 400) << wrong;
 }
 
 TEST_F(RoutesOfSampleCity, ServeXIteBelowItsVersionAndNothingBesideIt) {
