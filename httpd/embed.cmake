@@ -1,7 +1,9 @@
-# Writes client_scripts into one .cpp: cmake -DROOT=client_scripts -DLOADER=loader.js -DOUT=client_files.cpp -P embed.cmake
+# Writes client_scripts into one .cpp:
+#   cmake -DROOT=client_scripts -DLAYOUTS=city_db -DLOADER=loader.js -DOUT=client_files.cpp -P embed.cmake
+# LAYOUTS' *_layout.h become layout/*_layout.h: the page and its shaders read the formats that C++ was compiled with.
 # LOADER (may be missing) becomes loader.js beside the folders core, x3d and page.
 set(files)
-foreach(suffix js mjs html css svg png)
+foreach(suffix js mjs html css svg png vert frag)
   foreach(folder core x3d page)
     file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/*.${suffix})
     list(APPEND files ${found})
@@ -25,6 +27,10 @@ endmacro()
 
 foreach(file ${files})
   embed(${file} ${ROOT}/${file})
+endforeach()
+file(GLOB layouts RELATIVE ${LAYOUTS} ${LAYOUTS}/*_layout.h)
+foreach(file ${layouts})
+  embed(layout/${file} ${LAYOUTS}/${file})
 endforeach()
 if(LOADER AND EXISTS ${LOADER})
   embed(loader.js ${LOADER})

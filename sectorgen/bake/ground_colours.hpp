@@ -1,4 +1,5 @@
 #pragma once
+#include "city_db/ground_tile_layout.h"
 #include "sectorgen/bake/cell_pieces.hpp"
 #include "sectorgen/bake/webp_image.hpp"
 
@@ -6,7 +7,8 @@
 namespace vicus {
 
 /// Ground that no surface covers: beyond the city's edge.
-inline constexpr Colour kBeyondCity{176, 172, 152};
+inline constexpr Colour kBeyondCity{GROUND_BEYOND_CITY >> 16, GROUND_BEYOND_CITY >> 8 & 0xff,
+                                    GROUND_BEYOND_CITY & 0xff};
 
 class GroundColours {
  public:
