@@ -40,7 +40,10 @@ export function triangulate(rings) {
     const isEar = i => {
         const n = points.length, a = points[(i + n - 1) % n], b = points[i], c = points[(i + 1) % n];
         if (cross(a, b, c) <= 0) return false;
-        return points.every(p => isSame(p, a) || isSame(p, b) || isSame(p, c) || !isInTriangle(a, b, c, p));
+        return points.every((p, k) => {
+            const isCorner = isSame(p, a) || isSame(p, b) || isSame(p, c);   // or its twin at a bridge
+            return (isCorner || !isInTriangle(a, b, c, p)) && !segmentsMeet(a, c, p, points[(k + 1) % n]);
+        });
     };
     for (let i = 0, misses = 0; points.length > 3;) {
         i %= points.length;

@@ -1,8 +1,11 @@
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
+import { TileShapes } from '../x3d/TileShapes.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
+/** m: radius (twice the near plane), eye, step. */
+const kFlyingAvatar = [4, 1.7, 0.4];
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
@@ -94,6 +97,39 @@ export class XIteAdapter {
             const ahead = turn.multVec(new this.X3D.SFVec3f(0, 0, -1));
             return { name: description, east: east + p.x, north: north - p.z, heading: Math.atan2(ahead.x, -ahead.z) };
         });
+    }
+
+    /**
+     * A stage for core/Flyover: its Group in the world, the shader of `world` (/flyover.x3d). `layout`: of ground tiles.
+     * Fails   Error: there is no such shader in it.
+     */
+    async makeTileStage(world, layout) {
+        const xml = new DOMParser().parseFromString(world, 'application/xml'), shader = xml.querySelector('ComposedShader');
+        if (!shader) throw new Error('The world from above has no shader for its tiles.');
+        for (const part of shader.querySelectorAll('ShaderPart')) {
+            const [path] = part.getAttribute('url').match(/[^"]+/);
+            part.setAttribute('url', `"${new URL(path, document.baseURI).href}"`);
+        }
+        const text = new XMLSerializer().serializeToString(shader);
+        const scene = await this.browser.createX3DFromString(`<X3D profile='Interchange' version='4.0'><head>
+            <component name='Shaders' level='1'/></head><Scene><Shape><Appearance>${text}</Appearance></Shape></Scene></X3D>`);
+        const group = this.browser.currentScene.createNode('Group');
+        this.browser.currentScene.rootNodes.push(group);
+        return new TileShapes({ scene: this.browser.currentScene, group, shader: scene.rootNodes[0].appearance.shaders[0],
+            types: this.X3D, beyond: layout.GROUND_BEYOND_CITY });
+    }
+
+    /** The sectors are seen, or rest. Who flies is far from everything: depth is told apart better with a far near plane. */
+    showSectors(isShown) {
+        this.browser.currentScene.getNamedNode('WORLD').visible = isShown;
+        const navigation = this.browser.activeNavigationInfo;
+        this.avatar ??= Array.from(navigation.avatarSize);
+        navigation.avatarSize = new this.X3D.MFFloat(...(isShown ? this.avatar : kFlyingAvatar));
+    }
+
+    /** CSS pixels, width and height. */
+    size() {
+        return [this.canvas.clientWidth, this.canvas.clientHeight];
     }
 
     pose() {

@@ -10,6 +10,8 @@ namespace vicus {
 namespace {
 
 constexpr std::uint32_t kPictureSide = 256, kLevelNodes = 3, kNodes = 33, kLeastStep_mm = 10;
+constexpr double kYard_m =
+    50;  // ground without surfaces in a block is like the ground around; wider, it is beyond the city
 constexpr int kQuality = 82;
 constexpr double kDarkest = 0.45;  // of the light where no sky is seen: what walls reflect
 
@@ -46,7 +48,7 @@ GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t t
     tile.height.push_back(static_cast<std::uint16_t>(std::lround((h * kMmPerMetre - tile.base_mm) / tile.step_mm)));
 
   const TileFrame frame{corner, 2 * kPictureSide, tile_side_mm, {}};
-  RgbImage picture = GroundColours(scene, frame).filled();
+  RgbImage picture = GroundColours(scene, frame).filled(kYard_m);
   const auto ambient = ambient_light(scene, frame);  // south row first
   for (std::size_t row = 0; row < kPictureSide; ++row)
     for (std::size_t column = 0; column < kPictureSide; ++column) {

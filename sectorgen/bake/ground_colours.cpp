@@ -32,7 +32,8 @@ ColourMean colour_of_kind(std::uint8_t kind) {
 
 }  // namespace
 
-GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame) : side_(frame.side) {
+GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
+    : side_(frame.side), texel_m_(2 * frame.cell_m()) {
   const int n = static_cast<int>(frame.side) * kSamples;
   kind_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0);
   const double scale = kSamples / frame.cell_m();
@@ -62,7 +63,7 @@ ColourMean GroundColours::of_cell(std::size_t column, std::size_t row) const {
   return weight > 0 ? sum * (1 / weight) : mean_of(kBeyondCity);
 }
 
-RgbImage GroundColours::filled() const {
+RgbImage GroundColours::filled(double reach_m) const {
   // Pull: sums of ever larger squares. Push: empty squares take the colour of the next larger one.
   std::vector<std::vector<Sum>> levels;
   std::size_t n = side_ / 2;
@@ -77,7 +78,7 @@ RgbImage GroundColours::filled() const {
             s.colour = s.colour + colour_of_kind(kind);
             s.weight += 1;
           }
-  for (; n > 1; n /= 2) {
+  for (double square_m = texel_m_; n > 1 && square_m < reach_m; n /= 2, square_m *= 2) {
     std::vector<Sum> next(n / 2 * (n / 2));
     for (std::size_t row = 0; row < n; ++row)
       for (std::size_t column = 0; column < n; ++column) {
@@ -88,7 +89,8 @@ RgbImage GroundColours::filled() const {
       }
     levels.push_back(std::move(next));
   }
-  if (levels.back()[0].weight == 0) levels.back()[0] = {mean_of(kBeyondCity), 1};
+  for (Sum& s : levels.back())
+    if (s.weight == 0) s = {mean_of(kBeyondCity), 1};
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
     const std::size_t size = (side_ / 2) >> level;
     for (std::size_t row = 0; row < size; ++row)

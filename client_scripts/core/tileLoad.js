@@ -1,0 +1,36 @@
+import { readLayout } from './readLayout.js';
+import { tileMesh } from './tileMesh.js';
+
+/** The layouts of tiles, { prisms, ground }, from the server's folder of headers. */
+export async function fetchLayouts(folder, request = url => fetch(url)) {
+    const read = async name => {
+        const response = await request(`${folder}${name}_layout.h`);
+        if (!response.ok) throw new Error(`${name}_layout.h: ${response.status}`);
+        return readLayout(await response.text());
+    };
+    const [prisms, ground] = await Promise.all([read('prism_tile'), read('ground_tile')]);
+    return { prisms, ground };
+}
+
+/**
+ * The `load` of Flyover: fetches what a tile is sent as and has it made ready. `base`: where /blockmaps/ is.
+ * `prepare({ prisms, ground })`: a promise of tileMesh's.
+ */
+export function tileLoader(base, prepare, request = (url, options) => fetch(url, options)) {
+    const fetchBytes = async (url, signal) => {
+        const response = await request(url, { signal });
+        if (!response.ok) throw new Error(`${url}: ${response.status}`);
+        const bytes = new Uint8Array(await response.arrayBuffer());
+        return { bytes, sent: Number(response.headers.get('Content-Length')) || bytes.length };
+    };
+    return async ({ key, prismError }, signal) => {
+        const address = `${base}${key}`, none = { bytes: null, sent: 0 };
+        const [ground, prisms] = await Promise.all([fetchBytes(`${address}.ground`, signal),
+            prismError === null ? none : fetchBytes(`${address}.prisms`, signal)]);
+        const mesh = await prepare({ prisms: prisms.bytes, ground: ground.bytes });
+        return Object.assign(mesh, { sentBytes: ground.sent + prisms.sent });
+    };
+}
+
+/** A prepare that does it here and now. */
+export const prepareHere = layouts => async tile => tileMesh(tile, layouts);

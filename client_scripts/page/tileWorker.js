@@ -1,0 +1,17 @@
+import { buffersOf, tileMesh } from '../core/tileMesh.js';
+
+let layouts = null;
+
+/** Turns tiles into triangles beside the page: { layouts } once, then { id, prisms, ground } -> { id, mesh } or { id, error }. */
+addEventListener('message', ({ data }) => {
+    if (data.layouts) {
+        layouts = data.layouts;
+        return;
+    }
+    try {
+        const mesh = tileMesh(data, layouts);
+        postMessage({ id: data.id, mesh }, { transfer: buffersOf(mesh) });
+    } catch (error) {
+        postMessage({ id: data.id, error: error.message });
+    }
+});
