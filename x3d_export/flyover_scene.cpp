@@ -78,19 +78,24 @@ Scene flyover_scene(const RecordSource& source) {
   const Node shader = shader_node(half_m);
   Node look("Appearance"), sample("Shape");
   scene.nodes.push_back(sample.add("appearance", look.add("shaders", shader)));
-  Node tiles("Group", "TILES"), sensor("ProximitySensor", "VISITOR"), flyer("Script", "FLYER");
+  Node tiles("Group", "TILES"), sensor("ProximitySensor", "VISITOR"), clock("TimeSensor", "CLOCK"),
+      flyer("Script", "FLYER");
   scene.nodes.push_back(tiles);
   scene.nodes.push_back(sensor.set("size", std::vector<double>{kSensorSide_m, kSensorHeight_m, kSensorSide_m}));
+  scene.nodes.push_back(clock.set("loop", true));
   flyer.set("directOutput", true).set("url", std::vector<std::string>{"client/flyer.js"});
   flyer.interface = {{"set_position", FieldType::sf_vec3f, Access::input_only, std::string(), {}},
                      {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
+                     {"set_fraction", FieldType::sf_float, Access::input_only, std::string(), {}},
                      field("base", FieldType::sf_string, std::string("blockmaps/")),
                      field("layouts", FieldType::sf_string, std::string("client/layout/")),
                      node_field("shader", {use_of(shader)}),
-                     node_field("world", {use_of(tiles)})};
+                     node_field("world", {use_of(tiles)}),
+                     node_field("clock", {use_of(clock)})};
   scene.nodes.push_back(std::move(flyer));
   scene.routes = {{"VISITOR", "position_changed", "FLYER", "set_position"},
-                  {"VISITOR", "orientation_changed", "FLYER", "set_orientation"}};
+                  {"VISITOR", "orientation_changed", "FLYER", "set_orientation"},
+                  {"CLOCK", "fraction_changed", "FLYER", "set_fraction"}};
   return scene;
 }
 

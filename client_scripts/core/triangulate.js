@@ -16,13 +16,20 @@ function segmentsMeet(a, b, c, d) {
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+/** Does the way from a ring's corner to p begin inside the ring? Twins at a bridge differ in that. */
+function isInCorner(ring, i, p) {
+    const a = ring.at(i - 1), b = ring[i], c = ring[(i + 1) % ring.length];
+    if (cross(a, b, c) > 0) return cross(a, b, p) > 0 && cross(b, c, p) > 0;
+    return cross(a, b, p) > 0 || cross(b, c, p) > 0;
+}
+
 /** `outer` with the hole cut into it along the shortest bridge that crosses no edge; the shortest of all where each does. */
 function withHole(outer, hole, others) {
     const pairs = [];
     outer.forEach((a, i) => hole.forEach((b, j) => pairs.push([(a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2, i, j])));
     pairs.sort((p, q) => p[0] - q[0]);
     const rings = [outer, hole, ...others];
-    const crosses = ([, i, j]) => rings.some(ring =>
+    const crosses = ([, i, j]) => !isInCorner(outer, i, hole[j]) || rings.some(ring =>
         ring.some((p, k) => segmentsMeet(outer[i], hole[j], p, ring[(k + 1) % ring.length])));
     const [, i, j] = pairs.find(pair => !crosses(pair)) ?? pairs[0];
     return [...outer.slice(0, i + 1), ...hole.slice(j), ...hole.slice(0, j + 1), ...outer.slice(i)];

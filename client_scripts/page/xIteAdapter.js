@@ -1,11 +1,15 @@
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
-import { TileShapes } from '../x3d/TileShapes.js';
+import { TileShapes } from '../core/TileShapes.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 /** m: radius (twice the near plane), eye, step. */
 const kFlyingAvatar = [4, 1.7, 0.4];
+const kPictures = {
+    open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })),
+    close: address => URL.revokeObjectURL(address),
+};
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
@@ -116,7 +120,7 @@ export class XIteAdapter {
         const group = this.browser.currentScene.createNode('Group');
         this.browser.currentScene.rootNodes.push(group);
         return new TileShapes({ scene: this.browser.currentScene, group, shader: scene.rootNodes[0].appearance.shaders[0],
-            types: this.X3D, beyond: layout.GROUND_BEYOND_CITY });
+            types: this.X3D, pictures: kPictures, beyond: layout.GROUND_BEYOND_CITY });
     }
 
     /** The sectors are seen, or rest. Who flies is far from everything: depth is told apart better with a far near plane. */

@@ -1,21 +1,21 @@
-import { TriangleBuilder } from '../core/TriangleBuilder.js';
+import { TriangleBuilder } from './TriangleBuilder.js';
 
 /** X_ITE's words for a texture that is there, and one that never will be (X3DConstants.COMPLETE_STATE, FAILED_STATE). */
 const kComplete = 1008, kFailed = 1009;
 /** m: ground around the city, until haze hides it. */
-const kAround = 20000;
+const kHorizon = 20000;
 
 /**
- * Draws the tiles of a flown city (core/Flyover's stage): a Transform for each tile, a Shape for each quadrant, one shader for
+ * Draws the tiles of a flown city (Flyover's stage): a Transform for each tile, a Shape for each quadrant, one shader for
  * all. A quadrant's material tells the shader how far it has come or gone: its red.
  *
- * Needs   X_ITE's SAI, in a page or a Script: `setValue` of fields takes typed arrays, checkLoadState is its own. `scene`,
+ * Needs   X_ITE's SAI, of a page or a Script, handed in: `setValue` of fields takes typed arrays, checkLoadState is its own. `scene`,
  * `group`: where Transforms go; `shader`: the ComposedShader of /flyover.x3d; `types`: { MFInt32, MFNode, MFString, SFVec3f, SFColor };
- * `beyond`: GROUND_BEYOND_CITY of the layout.
+ * `pictures`: open(bytes of a WebP) -> an address, close(address); `beyond`: GROUND_BEYOND_CITY of the layout.
  */
 export class TileShapes {
-    constructor({ scene, group, shader, types, beyond }) {
-        Object.assign(this, { scene, group, shader, types, beyond, shapes: 0, around: null, isAroundShown: false });
+    constructor({ scene, group, shader, types, pictures, beyond }) {
+        Object.assign(this, { scene, group, shader, types, pictures, beyond, shapes: 0, around: null, isAroundShown: false });
         this.properties = this.node('TextureProperties', {
             boundaryModeS: 'CLAMP_TO_EDGE', boundaryModeT: 'CLAMP_TO_EDGE', generateMipMaps: true,
             minificationFilter: 'AVG_PIXEL_AVG_MIPMAP', magnificationFilter: 'AVG_PIXEL', anisotropicDegree: 4 });
@@ -28,7 +28,7 @@ export class TileShapes {
     begin({ corner: [east, north], parts, picture }) {
         const { SFVec3f, MFString } = this.types;
         const place = this.node('Transform', { translation: new SFVec3f(east, 0, -north) });
-        const address = URL.createObjectURL(new Blob([picture], { type: 'image/webp' }));
+        const address = this.pictures.open(picture);
         const texture = this.node('ImageTexture', { textureProperties: this.properties, url: new MFString(address) });
         this.group.children.push(place);
         return { place, address, texture, parts, quadrants: [], shown: [false, false, false, false] };
@@ -43,7 +43,7 @@ export class TileShapes {
         }
         const state = made.texture.getValue().checkLoadState();
         if (state !== kComplete && state !== kFailed) return null;
-        URL.revokeObjectURL(made.address);
+        this.pictures.close(made.address);
         Object.assign(made, { address: null, parts: null });
         return 0;
     }
@@ -74,7 +74,7 @@ export class TileShapes {
         const rim = Array.from(heights).filter((_, i) => i < nodes || i >= nodes * (nodes - 1) || i % nodes === 0 || i % nodes === nodes - 1);
         const up = Math.min(...rim), builder = new TriangleBuilder(), { beyond } = this;
         const colour = [16, 8, 0].map(bits => (beyond >> bits & 255) / 255).concat(0);
-        const [west, south, right, top] = [-kAround, -kAround, side + kAround, side + kAround];
+        const [west, south, right, top] = [-kHorizon, -kHorizon, side + kHorizon, side + kHorizon];
         for (const [a, b, c, d] of [[west, south, right, 0], [west, side, right, top], [west, 0, 0, side], [side, 0, right, side]])
             builder.face([[a, b], [c, b], [c, d], [a, d]].map(([x, y]) => [x, up, -y]), colour, [[0, 0], [0, 0], [0, 0], [0, 0]]);
         const { shape, material } = this.quadrant({ texture: null }, builder.build());
@@ -115,7 +115,7 @@ export class TileShapes {
 
     drop(made) {
         for (let q = 0; q < 4; ++q) this.hide(made, q);
-        if (made.address) URL.revokeObjectURL(made.address);
+        if (made.address) this.pictures.close(made.address);
         this.remove(made.place);
     }
 }
