@@ -18,7 +18,7 @@ const kMostBytes = 192e6, kFull = 0.8;
  * setState(making, quadrant, state of TileFades), hide(making, quadrant), drop(making); surround(mesh of the root), showSurroundings(isShown).
  */
 export class Flyover {
-    constructor({ tree, load, stage, pixels = 2, mostBytes = kMostBytes, mostInFlight = 4, complain }) {
+    constructor({ tree, load, stage, pixels = 2, mostBytes = kMostBytes, mostInFlight = 6, complain }) {
         this.tree = new TileTree(tree);
         this.requests = new TileRequests({ load, arrived: (tile, mesh) => this.arrive(tile, mesh), mostInFlight, complain });
         Object.assign(this, { stage, pixels, mostBytes, kept: new Map(), making: [], bytes: 0, fades: new TileFades(),

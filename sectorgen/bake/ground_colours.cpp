@@ -30,6 +30,21 @@ ColourMean colour_of_kind(std::uint8_t kind) {
   return kColours[kind];
 }
 
+/// The colour at a square of half the size, between the four nearest of n x n.
+ColourMean between(const std::vector<Sum>& larger, std::size_t n, std::size_t column, std::size_t row) {
+  const auto near = [&](std::size_t at) { return at / 2; };
+  const auto beside = [&](std::size_t at) {
+    return at % 2 == 0 ? (at / 2 == 0 ? 0 : at / 2 - 1) : std::min(n - 1, at / 2 + 1);
+  };
+  const auto mean = [&](std::size_t x, std::size_t y) {
+    const Sum& s = larger[y * n + x];
+    return s.colour * (1 / s.weight);
+  };
+  constexpr double kNear = 0.75, kBeside = 0.25;
+  return (mean(near(column), near(row)) * kNear + mean(beside(column), near(row)) * kBeside) * kNear +
+         (mean(near(column), beside(row)) * kNear + mean(beside(column), beside(row)) * kBeside) * kBeside;
+}
+
 }  // namespace
 
 GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
@@ -96,8 +111,7 @@ RgbImage GroundColours::filled(double reach_m) const {
     for (std::size_t row = 0; row < size; ++row)
       for (std::size_t column = 0; column < size; ++column) {
         Sum& s = levels[level][row * size + column];
-        const Sum& larger = levels[level + 1][row / 2 * (size / 2) + column / 2];
-        if (s.weight == 0) s = {larger.colour * (1 / larger.weight), 1};
+        if (s.weight == 0) s = {between(levels[level + 1], size / 2, column, row), 1};
       }
   }
   const auto half = static_cast<std::uint32_t>(side_ / 2);

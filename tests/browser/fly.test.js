@@ -213,9 +213,10 @@ function stateOfTiles() {
 function paintSky(isMagenta) {
     const { browser, X3D } = window.vicus.view;
     const sky = Array.from(browser.currentScene.rootNodes).find(node => node.getNodeTypeName() === 'Background');
-    window.skyColours ??= { skyColor: Array.from(sky.skyColor), groundColor: Array.from(sky.groundColor) };
+    const values = colours => Array.from(colours, ({ r, g, b }) => [r, g, b]);
+    window.skyColours ??= { skyColor: values(sky.skyColor), groundColor: values(sky.groundColor) };
     for (const [field, colours] of Object.entries(window.skyColours))
-        sky[field] = new X3D.MFColor(...colours.map(colour => (isMagenta ? new X3D.SFColor(1, 0, 1) : colour)));
+        sky[field] = new X3D.MFColor(...colours.map(colour => new X3D.SFColor(...(isMagenta ? [1, 0, 1] : colour))));
 }
 
 /** Pixels of a picture in which that colour shows: { above, below, holes } the horizon. */
