@@ -33,18 +33,19 @@ double half_side_m(const RecordSource& source) {
   return metres(tile_side_mm(levels, 0)) / 2;
 }
 
-Node shader_part(const char* type, const char* url) {
+Node shader_part(const char* type, const std::string& url) {
   Node part("ShaderPart");
   return part.set("type", type).set("url", std::vector<std::string>{url});
 }
 
-Node shader_node(double half_m) {
+/// `name`: of its two parts' files.
+Node shader_node(const char* def, const std::string& name, double half_m) {
   std::vector<double> directions, intensities;
   for (const SunLight& light : kLights) {
     directions.insert(directions.end(), std::begin(light.direction), std::end(light.direction));
     intensities.push_back(light.intensity);
   }
-  Node shader("ComposedShader", "TILE_SHADER");
+  Node shader("ComposedShader", def);
   shader.set("language", "GLSL");
   shader.interface = {
       field("lightDirections", FieldType::mf_vec3f, directions),
@@ -52,8 +53,8 @@ Node shader_node(double half_m) {
       field("hazeColour", FieldType::sf_color,
             std::vector<double>{kSkyColour.r / 255.0, kSkyColour.g / 255.0, kSkyColour.b / 255.0}),
       field("hazeDistance", FieldType::sf_float, std::vector<double>{std::max(kLeastHaze_m, 3 * half_m)})};
-  shader.add("parts", shader_part("VERTEX", "client/x3d/flyover.vert"));
-  return shader.add("parts", shader_part("FRAGMENT", "client/x3d/flyover.frag"));
+  shader.add("parts", shader_part("VERTEX", "client/x3d/" + name + ".vert"));
+  return shader.add("parts", shader_part("FRAGMENT", "client/x3d/" + name + ".frag"));
 }
 
 }  // namespace
@@ -74,24 +75,28 @@ Scene flyover_scene(const RecordSource& source) {
   view.set("position", std::vector<double>{0, kUp * half_m, kBack * half_m});
   view.set("orientation", std::vector<double>{1, 0, 0, -std::atan2(kUp, kBack)});
   scene.nodes.push_back(view.set("fieldOfView", kFieldOfView));
-  // A Shape that draws nothing brings the shader; each tile's Appearance uses it: one program for all.
-  const Node shader = shader_node(half_m);
-  Node look("Appearance"), sample("Shape");
-  scene.nodes.push_back(sample.add("appearance", look.add("shaders", shader)));
+  // Shapes that draw nothing bring the shaders; each tile's Appearance uses one: one program for all of a kind.
+  const Node shaders[] = {shader_node("TILE_SHADER", "flyover", half_m),
+                          shader_node("BLOCKMAP_SHADER", "blockmap", half_m)};
+  for (const Node& shader : shaders) {
+    Node look("Appearance"), sample("Shape");
+    scene.nodes.push_back(sample.add("appearance", look.add("shaders", shader)));
+  }
   Node tiles("Group", "TILES"), sensor("ProximitySensor", "VISITOR"), clock("TimeSensor", "CLOCK"),
       flyer("Script", "FLYER");
   scene.nodes.push_back(tiles);
   scene.nodes.push_back(sensor.set("size", std::vector<double>{kSensorSide_m, kSensorHeight_m, kSensorSide_m}));
   scene.nodes.push_back(clock.set("loop", true));
   flyer.set("directOutput", true).set("url", std::vector<std::string>{"client/flyer.js"});
-  flyer.interface = {{"set_position", FieldType::sf_vec3f, Access::input_only, std::string(), {}},
-                     {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
-                     {"set_fraction", FieldType::sf_float, Access::input_only, std::string(), {}},
-                     field("base", FieldType::sf_string, std::string("blockmaps/")),
-                     field("layouts", FieldType::sf_string, std::string("client/layout/")),
-                     node_field("shader", {use_of(shader)}),
-                     node_field("world", {use_of(tiles)}),
-                     node_field("clock", {use_of(clock)})};
+  flyer.interface = {
+      {"set_position", FieldType::sf_vec3f, Access::input_only, std::string(), {}},
+      {"set_orientation", FieldType::sf_rotation, Access::input_only, std::string(), {}},
+      {"set_fraction", FieldType::sf_float, Access::input_only, std::string(), {}},
+      field("base", FieldType::sf_string, std::string("blockmaps/")),
+      field("layouts", FieldType::sf_string, std::string("client/layout/")),
+      {"shaders", FieldType::mf_node, Access::initialize_only, std::string(), {use_of(shaders[0]), use_of(shaders[1])}},
+      node_field("world", {use_of(tiles)}),
+      node_field("clock", {use_of(clock)})};
   scene.nodes.push_back(std::move(flyer));
   scene.routes = {{"VISITOR", "position_changed", "FLYER", "set_position"},
                   {"VISITOR", "orientation_changed", "FLYER", "set_orientation"},

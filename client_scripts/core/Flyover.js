@@ -13,20 +13,36 @@ const kMostBytes = 192e6, kFull = 0.8;
  * The city from above: which tiles are fetched, kept and drawn as the eye moves (paper 001 §6). All that is kept for good is
  * the tree, a few kB.
  *
- * Needs   `load(tile, signal)`: a promise of what tileMesh makes of it, with `sentBytes`. `stage`: makes and shows quadrants:
+ * Needs   `load(tile, signal, form)`: a promise of what tileMesh or blockMapMesh makes of it, with `sentBytes`. `stage`: makes and shows quadrants:
  * begin(mesh) -> what is being made; work(making): makes a piece, returns its corners, null: nothing to do now; isDone(making); show(making, quadrant),
  * setState(making, quadrant, state of TileFades), hide(making, quadrant), drop(making); surround(mesh of the root), showSurroundings(isShown).
  */
 export class Flyover {
-    constructor({ tree, load, stage, pixels = 2, mostBytes = kMostBytes, mostInFlight = 6, complain }) {
+    constructor({ tree, load, stage, pixels = 2, form = 'prisms', mostBytes = kMostBytes, mostInFlight = 6, complain }) {
         this.tree = new TileTree(tree);
-        this.requests = new TileRequests({ load, arrived: (tile, mesh) => this.arrive(tile, mesh), mostInFlight, complain });
-        Object.assign(this, { stage, pixels, mostBytes, kept: new Map(), making: [], bytes: 0, fades: new TileFades(),
+        this.requests = new TileRequests({ load: (tile, signal) => load(tile, signal, this.formOf(tile)), arrived: (tile, mesh) => this.arrive(tile, mesh), mostInFlight, complain });
+        Object.assign(this, { stage, pixels, form, mostBytes, kept: new Map(), making: [], bytes: 0, fades: new TileFades(),
             heights: new RoofHeights(), refined: new Set(), isShown: true, arrivals: 0, strain: 1, chosen: { draw: [], ask: [] }, now: 0 });
         this.figures = { files: 0, sentBytes: 0, firstAt: null };
     }
 
+    /** What a tile is drawn as: as wanted where it is sent as that; a BlockMap also where there are too many houses for prisms. */
+    formOf({ prismError, blockMapError, houses }) {
+        const wantsIt = this.form === 'blockMap' || (prismError === null && houses > 0);
+        return wantsIt && blockMapError !== null ? 'blockMap' : 'prisms';
+    }
+
+    /** Another form: everything is fetched again, as it is needed. */
+    setForm(form) {
+        if (form === this.form) return;
+        const { isShown } = this;
+        this.hide();
+        for (const record of [...this.kept.values()]) this.drop(record);
+        Object.assign(this, { form, isShown, making: [] });
+    }
+
     errorOf(tile) {
+        if (this.formOf(tile) === 'blockMap') return tile.blockMapError;
         return tile.prismError ?? (tile.houses ? Infinity : 0);   // too many houses for one tile: its ground alone
     }
 

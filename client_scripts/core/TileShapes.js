@@ -7,31 +7,48 @@ const kHorizon = 20000;
 
 /**
  * Draws the tiles of a flown city (Flyover's stage): a Transform for each tile, a Shape for each quadrant, one shader for
- * all. A quadrant's material tells the shader how far it has come or gone: its red.
+ * all of a kind. A quadrant's material tells the shader how far it has come or gone: its red.
  *
  * Needs   X_ITE's SAI, of a page or a Script, handed in: `setValue` of fields takes typed arrays, checkLoadState is its own. `scene`,
- * `group`: where Transforms go; `shader`: the ComposedShader of /flyover.x3d; `types`: { MFInt32, MFNode, MFString, SFVec3f, SFColor };
+ * `group`: where Transforms go; `shaders`: { tiles, blockMaps }, the
+ * ComposedShaders of /flyover.x3d; `types`: { MFInt32, MFNode, MFString, SFImage, SFVec3f, SFColor };
  * `pictures`: open(bytes of a WebP) -> an address, close(address); `beyond`: GROUND_BEYOND_CITY of the layout.
  */
 export class TileShapes {
-    constructor({ scene, group, shader, types, pictures, beyond }) {
-        Object.assign(this, { scene, group, shader, types, pictures, beyond, shapes: 0, around: null, isAroundShown: false });
+    constructor({ scene, group, shaders, types, pictures, beyond }) {
+        Object.assign(this, { scene, group, shaders, types, pictures, beyond, shapes: 0, around: null, isAroundShown: false });
         this.properties = this.node('TextureProperties', {
             boundaryModeS: 'CLAMP_TO_EDGE', boundaryModeT: 'CLAMP_TO_EDGE', generateMipMaps: true,
             minificationFilter: 'AVG_PIXEL_AVG_MIPMAP', magnificationFilter: 'AVG_PIXEL', anisotropicDegree: 4 });
+        this.bits = this.node('TextureProperties', { boundaryModeS: 'CLAMP_TO_EDGE', boundaryModeT: 'CLAMP_TO_EDGE', generateMipMaps: false,
+            minificationFilter: 'NEAREST_PIXEL', magnificationFilter: 'NEAREST_PIXEL' });
     }
 
     node(type, fields) {
         return Object.assign(this.scene.createNode(type), fields);
     }
 
-    begin({ corner: [east, north], parts, picture }) {
+    begin(mesh) {
+        return mesh.image ? this.beginBlockMap(mesh) : this.beginTile(mesh);
+    }
+
+    /** The pyramid, planes and colours of a BlockMap as a texture that keeps every bit. */
+    beginBlockMap({ corner: [east, north], parts, image: { width, height, pixels } }) {
+        const { SFVec3f, SFImage, MFInt32 } = this.types, numbers = new MFInt32();
+        numbers.setValue(pixels);
+        const texture = this.node('PixelTexture', { textureProperties: this.bits, image: new SFImage(width, height, 4, numbers) });
+        const place = this.node('Transform', { translation: new SFVec3f(east, 0, -north) });
+        this.group.children.push(place);
+        return { place, address: null, texture, parts, shader: this.shaders.blockMaps, quadrants: [], shown: [false, false, false, false] };
+    }
+
+    beginTile({ corner: [east, north], parts, picture }) {
         const { SFVec3f, MFString } = this.types;
         const place = this.node('Transform', { translation: new SFVec3f(east, 0, -north) });
         const address = this.pictures.open(picture);
         const texture = this.node('ImageTexture', { textureProperties: this.properties, url: new MFString(address) });
         this.group.children.push(place);
-        return { place, address, texture, parts, quadrants: [], shown: [false, false, false, false] };
+        return { place, address, texture, parts, shader: this.shaders.tiles, quadrants: [], shown: [false, false, false, false] };
     }
 
     /** One quadrant at a time, then the picture is waited for. */
@@ -43,7 +60,7 @@ export class TileShapes {
         }
         const state = made.texture.getValue().checkLoadState();
         if (state !== kComplete && state !== kFailed) return null;
-        this.pictures.close(made.address);
+        if (made.address) this.pictures.close(made.address);
         Object.assign(made, { address: null, parts: null });
         return 0;
     }
@@ -52,7 +69,7 @@ export class TileShapes {
         return parts === null;
     }
 
-    quadrant({ texture }, { positions, normals, colours, places, indices }) {
+    quadrant({ texture, shader }, { positions, normals, colours, places, indices }) {
         const filled = (type, field, values) => {
             const node = this.scene.createNode(type);
             node[field].setValue(values);
@@ -65,7 +82,7 @@ export class TileShapes {
         numbers.setValue(indices);
         geometry.set_index = numbers;
         const material = this.scene.createNode('Material');
-        const appearance = this.node('Appearance', { alphaMode: 'OPAQUE', material, texture, shaders: new this.types.MFNode(this.shader) });
+        const appearance = this.node('Appearance', { alphaMode: 'OPAQUE', material, texture, shaders: new this.types.MFNode(shader) });
         return { shape: this.node('Shape', { appearance, geometry }), material };
     }
 
@@ -77,7 +94,7 @@ export class TileShapes {
         const [west, south, right, top] = [-kHorizon, -kHorizon, side + kHorizon, side + kHorizon];
         for (const [a, b, c, d] of [[west, south, right, 0], [west, side, right, top], [west, 0, 0, side], [side, 0, right, side]])
             builder.face([[a, b], [c, b], [c, d], [a, d]].map(([x, y]) => [x, up, -y]), colour, [[0, 0], [0, 0], [0, 0], [0, 0]]);
-        const { shape, material } = this.quadrant({ texture: null }, builder.build());
+        const { shape, material } = this.quadrant({ texture: null, shader: this.shaders.tiles }, builder.build());
         material.diffuseColor = new this.types.SFColor(0.5, 0, 0);
         this.around = this.node('Transform', { translation: new this.types.SFVec3f(east, 0, -north) });
         this.around.children.push(shape);

@@ -37,6 +37,6 @@ function roofOf({ rings: [ring], top }, [east, north]) {
 }
 
 /** What must move, not be copied, when a worker hands a tile over. */
-export function buffersOf({ parts, roofs, heights, picture }) {
-    return [...parts.flatMap(part => Object.values(part).map(array => array.buffer)), roofs.buffer, heights.buffer, picture.buffer];
+export function buffersOf({ parts, roofs, heights, picture, image }) {
+    return [...parts.flatMap(part => Object.values(part).map(array => array.buffer)), roofs.buffer, heights.buffer, (picture ?? image.pixels).buffer];
 }

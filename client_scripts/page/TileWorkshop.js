@@ -17,12 +17,12 @@ export class TileWorkshop {
         });
     }
 
-    /** `tile`: { prisms, ground } as bytes, which are gone afterwards. A promise of tileMesh's. */
+    /** `tile`: { prisms, ground } or { blockMap } as bytes, which are gone afterwards. A promise of tileMesh's. */
     prepare(tile) {
         const id = this.next++;
         return new Promise((resolve, reject) => {
             this.waiting.set(id, { resolve, reject });
-            this.worker.postMessage({ id, ...tile }, [tile.prisms, tile.ground].filter(Boolean).map(bytes => bytes.buffer));
+            this.worker.postMessage({ id, ...tile }, Object.values(tile).filter(Boolean).map(bytes => bytes.buffer));
         });
     }
 }

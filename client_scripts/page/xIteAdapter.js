@@ -104,22 +104,23 @@ export class XIteAdapter {
     }
 
     /**
-     * A stage for core/Flyover: its Group in the world, the shader of `world` (/flyover.x3d). `layout`: of ground tiles.
+     * A stage for core/Flyover: its Group in the world, the shaders of `world` (/flyover.x3d). `layout`: of ground tiles.
      * Fails   Error: there is no such shader in it.
      */
     async makeTileStage(world, layout) {
-        const xml = new DOMParser().parseFromString(world, 'application/xml'), shader = xml.querySelector('ComposedShader');
-        if (!shader) throw new Error('The world from above has no shader for its tiles.');
-        for (const part of shader.querySelectorAll('ShaderPart')) {
+        const xml = new DOMParser().parseFromString(world, 'application/xml'), found = xml.querySelectorAll('ComposedShader[DEF]');
+        if (found.length !== 2) throw new Error('The world from above has not the two shaders for its tiles.');
+        for (const part of xml.querySelectorAll('ShaderPart')) {
             const [path] = part.getAttribute('url').match(/[^"]+/);
             part.setAttribute('url', `"${new URL(path, document.baseURI).href}"`);
         }
-        const text = new XMLSerializer().serializeToString(shader);
+        const texts = [...found].map(shader => `<Shape><Appearance>${new XMLSerializer().serializeToString(shader)}</Appearance></Shape>`);
         const scene = await this.browser.createX3DFromString(`<X3D profile='Interchange' version='4.0'><head>
-            <component name='Shaders' level='1'/></head><Scene><Shape><Appearance>${text}</Appearance></Shape></Scene></X3D>`);
+            <component name='Shaders' level='1'/></head><Scene>${texts.join('')}</Scene></X3D>`);
+        const [tiles, blockMaps] = [0, 1].map(i => scene.rootNodes[i].appearance.shaders[0]);
         const group = this.browser.currentScene.createNode('Group');
         this.browser.currentScene.rootNodes.push(group);
-        return new TileShapes({ scene: this.browser.currentScene, group, shader: scene.rootNodes[0].appearance.shaders[0],
+        return new TileShapes({ scene: this.browser.currentScene, group, shaders: { tiles, blockMaps },
             types: this.X3D, pictures: kPictures, beyond: layout.GROUND_BEYOND_CITY });
     }
 

@@ -2,9 +2,9 @@ import { Flyover } from '../core/Flyover.js';
 import { TileShapes } from '../core/TileShapes.js';
 import { fetchLayouts, prepareHere, tileLoader } from '../core/tileLoad.js';
 
-// The FLYER Script of /flyover.x3d (client_scripts/README.md); its fields are in scope by name: base, layouts, shader, world,
+// The FLYER Script of /flyover.x3d (client_scripts/README.md); its fields are in scope by name: base, layouts, shaders, world,
 // clock. Bundled with core/ into /client/flyer.js. Needs a browser with the web's fetch, URL and Blob: X_ITE.
-/* global Browser, MFInt32, MFNode, MFString, SFColor, SFVec3f, base, layouts, shader, world, clock */
+/* global Browser, MFInt32, MFNode, MFString, SFColor, SFImage, SFVec3f, base, layouts, shaders, world, clock */
 let flyover = null;
 let eye = null;
 let looks = { heading: 0, pitch: 0 };
@@ -20,8 +20,8 @@ async function start() {
     const worldUrl = Browser.currentScene.worldURL, absolute = path => new URL(path, worldUrl).href;
     const [tree, formats] = await Promise.all([fetchTree(absolute(`${base}tree.json`)), fetchLayouts(absolute(layouts))]);
     const pictures = { open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })), close: address => URL.revokeObjectURL(address) };
-    const types = { MFInt32, MFNode, MFString, SFColor, SFVec3f }, scene = Browser.currentScene;
-    const stage = new TileShapes({ scene, group: world, shader, types, pictures, beyond: formats.ground.GROUND_BEYOND_CITY });
+    const types = { MFInt32, MFNode, MFString, SFColor, SFImage, SFVec3f }, scene = Browser.currentScene;
+    const stage = new TileShapes({ scene, group: world, shaders: { tiles: shaders[0], blockMaps: shaders[1] }, types, pictures, beyond: formats.ground.GROUND_BEYOND_CITY });
     flyover = new Flyover({ tree, stage, load: tileLoader(absolute(base), prepareHere(formats)), complain: text => Browser.println(text) });
 }
 
