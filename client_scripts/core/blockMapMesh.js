@@ -1,5 +1,7 @@
 import { TriangleBuilder } from './TriangleBuilder.js';
 
+/** Of the side: boxes overlap so much, that a ray between two of them is cast in one; the shader keeps to its quadrant. */
+const kOverlap = 1 / 1000;
 /** Bytes of a texel of the texture, and of what goes with each box. */
 const kTexelBytes = 4, kBoxBytes = 4000;
 
@@ -12,7 +14,7 @@ export function blockMapMesh(map, image) {
     const side = map.sideMm / 1000, top = map.top * map.stepUm * 1e-6, base = (x, y) => map.base + map.baseEast * x + map.baseNorth * y;
     const parts = [0, 1, 2, 3].map(quadrant => {
         const x0 = quadrant & 1 ? side / 2 : 0, y0 = quadrant & 2 ? side / 2 : 0, builder = new TriangleBuilder();
-        addBox(builder, [x0, x0 + side / 2], [y0, y0 + side / 2], base, top, [quadrant & 1, quadrant >> 1]);
+        addBox(builder, [x0 - side * kOverlap, x0 + side * (0.5 + kOverlap)], [y0 - side * kOverlap, y0 + side * (0.5 + kOverlap)], base, top, [quadrant & 1, quadrant >> 1]);
         return builder.build();
     });
     const rim = [base(0, 0), base(side, 0), base(0, side), base(side, side)];

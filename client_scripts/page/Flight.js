@@ -4,6 +4,7 @@ import { landingSpot } from '../core/landingSpot.js';
 import { fetchLayouts, tileLoader } from '../core/tileLoad.js';
 import { Flyer } from './Flyer.js';
 import { TileWorkshop } from './TileWorkshop.js';
+import { fetchTileShaders, probeForms } from './probeForms.js';
 
 /** m: how far up one goes who leaves the ground, and back, so that he sees where he was; and how he looks then. */
 const kRise = 95, kBack = 70, kLookDown = -0.62;
@@ -27,8 +28,9 @@ export const kDetails = { coarse: 4, medium: 2, fine: 1 };
  * phase: 'walking'; 'rising', 'landing': on the way, the street still or already there; 'flying'.
  */
 export class Flight {
-    constructor({ view, visit, walker, plan, hud, frameRate, detail = 'medium' }) {
-        Object.assign(this, { view, visit, walker, plan, hud, frameRate, detail, phase: 'walking', glide: null, flyover: null, spot: null });
+    /** `form`: 'auto', 'prisms' or 'blockMap'. */
+    constructor({ view, visit, walker, plan, hud, frameRate, detail = 'medium', form = 'auto' }) {
+        Object.assign(this, { view, visit, walker, plan, hud, frameRate, detail, form, probed: null, phase: 'walking', glide: null, flyover: null, spot: null });
         this.swapped = false;   // tiles are drawn, and not the street
     }
 
@@ -39,6 +41,31 @@ export class Flight {
     setDetail(detail) {
         this.detail = detail;
         if (this.flyover) this.flyover.pixels = kDetails[detail];
+    }
+
+    async setForm(form) {
+        this.form = form;
+        if (!this.flyover) return;
+        await this.probe().catch(() => {});
+        this.flyover.setForm(this.formNow);
+    }
+
+    /** Prisms unless BlockMaps were chosen, or are quicker on this machine. */
+    get formNow() {
+        const isQuicker = this.probed !== null && this.probed.blockMap < this.probed.prisms;
+        return this.form === 'auto' ? (isQuicker ? 'blockMap' : 'prisms') : this.form;
+    }
+
+    /** Draws the coarsest tile that is sent in both forms once in each, unless one was chosen; what was fetched for it is kept. */
+    async probe() {
+        if (this.form !== 'auto' || this.probed) return;
+        const tile = [...this.flyover.tree.tiles.values()].find(({ prismError, blockMapError }) => prismError !== null && blockMapError !== null);
+        if (!tile) return;
+        const forms = ['prisms', 'blockMap'], [shaders, ...meshes] = await Promise.all([fetchTileShaders('/client/x3d/'),
+            ...forms.map(form => this.load(tile, undefined, form))]);
+        forms.forEach((form, i) => this.fetched.set(`${tile.key} ${form}`, meshes[i]));
+        this.probed = probeForms({ prisms: meshes[0], blockMap: meshes[1] }, shaders,
+            this.view.size().map(pixels => Math.max(1, Math.round(pixels * this.frameRate.scale))));
     }
 
     /** What flying needs, once: the tree, layouts, the shader. Fails   Error: the city has no tiles. */
@@ -60,9 +87,20 @@ export class Flight {
             get('/blockmaps/tree.json').then(response => response.json()), get('/flyover.x3d').then(response => response.text()),
             fetchLayouts('/client/layout/')]);
         const stage = await this.view.makeTileStage(world, layouts.ground), workshop = new TileWorkshop(layouts);
-        this.flyover = new Flyover({ tree, stage, load: tileLoader('/blockmaps/', tile => workshop.prepare(tile)),
+        this.load = tileLoader('/blockmaps/', tile => workshop.prepare(tile));
+        this.fetched = new Map();   // by the probe
+        this.flyover = new Flyover({ tree, stage, load: (tile, signal, form) => this.take(tile, form) ?? this.load(tile, signal, form),
             pixels: kDetails[this.detail], complain: text => console.info(text) });
         this.flyer = new Flyer(this.view, this.flyover.heights);
+        await this.probe().catch(error => console.info(`no probe: ${error.message}`));
+        this.flyover.setForm(this.formNow);
+    }
+
+    /** A tile that was fetched already, once. */
+    take({ key }, form) {
+        const name = `${key} ${form}`, mesh = this.fetched.get(name);
+        this.fetched.delete(name);
+        return mesh && Promise.resolve(mesh);
     }
 
     /** Leaves the ground; `goal`: a pose to fly to instead of straight up. */

@@ -37,7 +37,7 @@ async function start() {
     const visit = new Visit(view, world, settings, text => console.info(text));
     visit.homePose = view.pose();
     const walker = new Walker(view), travel = new Travel({ view, visit, hud, veil: byId('veil') }), plan = new CityPlan(world.degrees);
-    const flight = new Flight({ view, visit, walker, plan, hud, frameRate, detail: settings.detail });
+    const flight = new Flight({ view, visit, walker, plan, hud, frameRate, detail: settings.detail, form: settings.form });
     travel.leaving = () => flight.end();
     const parts = { view, world, visit, walker, travel, flight, frameRate, plan, ...sideParts({ world, visit, travel, flight, plan }) };
     Object.assign(parts, tourParts(parts));
@@ -71,9 +71,10 @@ function sideParts({ world, visit, travel, flight, plan }) {
         else if (sector) travel.toPlace(sector.id, [east, north]);
         else hud.say('Nobody can walk there.');
     });
-    const dialog = new SettingsDialog(settings, ({ level, line, test, detail }) => {
+    const dialog = new SettingsDialog(settings, ({ level, line, test, detail, form }) => {
         visit.set({ level, line, test });
         if (detail !== flight.detail) return flight.setDetail(detail);
+        if (form !== flight.form) return flight.setForm(form);
         return hud.say(level === null ? 'As many sectors as this device can.' : `Sectors around you: L${level}.`);
     });
     return { paper, map, dialog, sideAt: 0 };
@@ -170,11 +171,13 @@ function showSideAbove({ view, visit, flight, plan, map, paper, dialog }) {
         map.show(pose, visit.sectors, undefined);
         if (below) paper.show({ names: [], gates: [], ...below }, []);
     }
-    if (hud.isShown('settings')) dialog.showFigures(figuresAbove(flyover));
+    if (hud.isShown('settings')) dialog.showFigures(figuresAbove(flight));
 }
 
-function figuresAbove({ chosen, kept, bytes, figures, stage, mostBytes }) {
+function figuresAbove({ flyover: { chosen, kept, bytes, figures, stage, mostBytes, form }, probed }) {
+    const times = probed ? ` (a tile: ${probed.prisms.toFixed(1)} ms as polygons, ${probed.blockMap.toFixed(1)} ms as an image)` : '';
     return [
+        ['Houses', `${form === 'prisms' ? 'polygons' : 'images'}${times}`],
         ['Tiles', `${chosen.draw.length} drawn, ${kept.size} kept, ${chosen.ask.length} asked for`],
         ['Error', `${Math.max(0, ...chosen.draw.filter(({ isFinest }) => !isFinest).map(({ onScreen }) => onScreen)).toFixed(1)} pixels at most`],
         ['Shapes', `${stage.shapes}`],

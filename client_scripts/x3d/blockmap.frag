@@ -11,7 +11,7 @@ uniform vec3 lightDirections[3];
 uniform float lightIntensities[3];
 uniform vec3 hazeColour;
 uniform float hazeDistance;
-in vec3 point;
+uniform ivec4 x3d_Viewport;
 flat in vec3 eye;
 flat in vec2 quadrant;
 flat in float header[14];
@@ -106,16 +106,20 @@ void main() {
     cellM = header[1];
     stepM = header[2];
     wallStepM = header[6];
-    vec3 origin = vec3(eye.x, -eye.z, eye.y), target = vec3(point.x, -point.z, point.y);
+    // The ray through the pixel's middle, 1 long ahead: what a rasteriser hands on is rounded to parts of a pixel.
+    vec2 onScreen = 2.0 * (gl_FragCoord.xy - vec2(x3d_Viewport.xy)) / vec2(x3d_Viewport.zw) - 1.0;
+    vec3 ray = vec3(onScreen / vec2(x3d_ProjectionMatrix[0][0], x3d_ProjectionMatrix[1][1]), -1.0) * mat3(x3d_ModelViewMatrix);
+    vec3 origin = vec3(eye.x, -eye.z, eye.y), towardsIt = vec3(ray.x, -ray.z, ray.y);
     vec2 slope = vec2(header[4], header[5]);
     vec3 o = vec3(origin.xy / cellM, origin.z - header[3] - dot(slope, origin.xy));
-    vec3 end = vec3(target.xy / cellM, target.z - header[3] - dot(slope, target.xy)), d = end - o;
+    vec3 d = vec3(towardsIt.xy / cellM, towardsIt.z - dot(slope, towardsIt.xy));
     d += vec3(equal(d, vec3(0.0))) * 1e-7;
     int half_ = side / 2;
     ivec2 low = ivec2(quadrant + 0.5) * half_, last = low + half_ - 1;
     vec2 inverse_ = 1.0 / d.xy, a = (vec2(low) - o.xy) * inverse_, b = (vec2(low + half_) - o.xy) * inverse_;
     vec2 near = min(a, b), far = max(a, b);
     float t = max(0.0, max(near.x, near.y)), tEnd = min(far.x, far.y);
+    if (d.z < 0.0) tEnd = min(tEnd, (-0.5 - o.z) / d.z);
     bool fromSide = t > 0.0;
     int face = near.x > near.y ? (d.x > 0.0 ? kWest : kEast) : (d.y > 0.0 ? kSouth : kNorth);
     if (d.z < 0.0 && o.z + d.z * t > header[13]) {
@@ -224,7 +228,7 @@ void main() {
         float foot = ambientAt(wallCell + ivec2(round(2.0 * outwards)));
         ambient = mix(foot, 1.0, clamp((p.z - bottom) / max(height - bottom, stepM), 0.0, 1.0));
     }
-    vec3 n = vec3(normal.x, normal.z, -normal.y), place = mix(eye, point, at);
+    vec3 n = vec3(normal.x, normal.z, -normal.y), place = eye + at * ray;
     float light = 0.0;
     for (int i = 0; i < 3; ++i) light += lightIntensities[i] * max(0.0, -dot(n, normalize(lightDirections[i])));
     vec4 seen = x3d_ModelViewMatrix * vec4(place, 1.0), clip = x3d_ProjectionMatrix * seen;

@@ -1,12 +1,11 @@
 #version 300 es
-// A quadrant of a BlockMap: the box's far side, from which rays are counted back to the eye.
+// A quadrant of a BlockMap: the box's far side.
 precision highp float;
 precision highp int;
 uniform mat4 x3d_ModelViewMatrix, x3d_ProjectionMatrix;
 uniform sampler2D x3d_Texture2D[1];
 in vec4 x3d_Vertex, x3d_TexCoord0;
-out vec3 point;      // metres from the tile's corner, X3D's axes
-flat out vec3 eye;
+flat out vec3 eye;   // metres from the tile's corner, X3D's axes
 flat out vec2 quadrant;
 flat out float header[14];   // core/blockMapTexture.js
 
@@ -16,7 +15,6 @@ float number(int i) {
 }
 
 void main() {
-    point = x3d_Vertex.xyz;
     eye = (inverse(x3d_ModelViewMatrix) * vec4(0.0, 0.0, 0.0, 1.0)).xyz;
     quadrant = x3d_TexCoord0.st;
     for (int i = 0; i < 14; ++i) header[i] = number(i);

@@ -4,6 +4,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { faultsOfPage } from './support/accessibility.js';
+import { compareWithReference } from './support/blockMapPixels.js';
 import { openBrowser, openTab } from './support/chromium.js';
 import { cities, largeCities, serveCity } from './support/vicusServer.js';
 
@@ -144,6 +145,37 @@ for (const [name, make] of Object.entries(made)) test(`flying over ${name}`, { t
         await page.waitForFunction(() => window.vicus?.flight.isUp, null, { timeout: 120000 });
         const again = await page.evaluate(() => window.vicus.view.pose());
         for (const key of ['east', 'north', 'up']) assert.ok(Math.abs(again[key] - pose[key]) < 0.1, key);
+        assert.deepEqual(complaints, []);
+        await page.close();
+    });
+
+    await t.test('the BlockMap shader meets what a slow caster meets', async () => {
+        const { page, complaints } = await open(linkOf(kPath[0]));
+        await settle(page);
+        const [key, side] = await page.evaluate(() => {
+            const { tree } = window.vicus.flight.flyover;
+            const { key, side } = [...tree.tiles.values()].filter(({ blockMapError }) => blockMapError !== null).at(-1);
+            return [key, side];
+        });
+        const from = (x, y, up, heading, pitch) => ({ eye: [x * side, y * side, up * side], heading, pitch, half: [0.8, 0.5] });
+        const views = [from(0.5, -0.4, 0.5, 0, -0.6), from(1.3, 1.2, 0.25, -2.3, -0.25), from(0.5, 0.5, 0.9, 1, -1.45), from(0.4, 0.45, 0.35, 2, -0.7)];
+        const found = await page.evaluate(compareWithReference, { path: `/blockmaps/${key}`, views, size: [120, 80] });
+        assert.ok(found.hits > 0.4 * found.rays, JSON.stringify(found));
+        assert.ok(found.wrong <= 8, JSON.stringify(found));   // rays that graze an edge, of 38,400
+        assert.deepEqual(complaints, []);
+        const probed = await page.evaluate(() => window.vicus.flight.probed);
+        assert.ok(probed.prisms > 0 && probed.blockMap > 0);
+        assert.equal(await page.evaluate(() => window.vicus.flight.flyover.form), probed.blockMap < probed.prisms ? 'blockMap' : 'prisms');
+        t.diagnostic(`BlockMap ${key}: ${JSON.stringify(found)}; a frame of a tile takes ${JSON.stringify(probed)} ms`);
+        await page.evaluate(() => { window.vicus.flight.flyover.pixels = 12; });
+        await page.keyboard.press('KeyO');
+        await page.selectOption('#set-form', 'blockMap');
+        await page.keyboard.press('Escape');
+        await page.waitForFunction(() => {
+            const { flyover } = window.vicus.flight, { draw } = flyover.chosen;
+            return draw.length && draw.every(({ tile }) => flyover.isThere(tile)) && draw.some(({ tile }) => flyover.formOf(tile) === 'blockMap') && flyover.fades.isCalm;
+        }, null, { timeout: 120000 });
+        await page.screenshot({ path: join(kShots, `${name}-fly-blockmaps.png`) });
         assert.deepEqual(complaints, []);
         await page.close();
     });

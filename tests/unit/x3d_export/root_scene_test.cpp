@@ -32,7 +32,7 @@ TEST(RootScene, KnowsTheStartSectorAndThoseBehindItsGatesOnly) {
   for (std::size_t i = 3; i < urls.size(); ++i) EXPECT_EQ(urls[i], "") << "the rest are USEs";
 }
 
-TEST(FlyoverScene, BringsTheWorldsLightHazeAndOneShader) {
+TEST(FlyoverScene, BringsTheWorldsLightHazeAndTheShaders) {
   const Sample sample;
   const std::string text = write_x3d(flyover_scene(source_of(sample.index)));
   const std::string world = sample.text({});
@@ -43,8 +43,9 @@ TEST(FlyoverScene, BringsTheWorldsLightHazeAndOneShader) {
     directions += (directions.empty() ? "" : " ") + d;
   EXPECT_NE(text.find("name='lightDirections' type='MFVec3f' accessType='initializeOnly' value='" + directions + "'"),
             std::string::npos);
-  EXPECT_EQ(attributes_in(text, "ComposedShader", "language").size(), 2u) << "one node, and its USE";
-  EXPECT_EQ(attributes_in(text, "ShaderPart", "type"), (std::vector<std::string>{"VERTEX", "FRAGMENT"}));
+  EXPECT_EQ(attributes_in(text, "ComposedShader", "language").size(), 4u) << "two nodes, and a USE of each";
+  EXPECT_EQ(attributes_in(text, "ShaderPart", "type"),
+            (std::vector<std::string>{"VERTEX", "FRAGMENT", "VERTEX", "FRAGMENT"}));
   EXPECT_NE(text.find("<component name='Shaders' level='1'/>"), std::string::npos);
 }
 
