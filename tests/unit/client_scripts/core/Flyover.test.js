@@ -167,3 +167,15 @@ test('heights: the finest tile counts, roofs just beside do, ground is bilinear'
     assert.equal(heights.ground([10, 10]), 4);
     assert.equal(heights.ground([-1, 0]), null);
 });
+
+test('tiles are drawn as wanted, where they are sent so; too many houses are a BlockMap where that is known', () => {
+    const formsOf = options => {
+        const flyover = new Flyover({ tree: kTree, load() {}, stage: new Stage(), ...options });
+        return [{ houses: 9, prismError: 1, blockMapError: 2 }, { houses: 9, prismError: 1, blockMapError: null },
+            { houses: 5000, prismError: null, blockMapError: 2 }, { houses: 0, prismError: null, blockMapError: null }].map(tile =>
+            [flyover.formOf(tile), flyover.errorOf(tile)]);
+    };
+    assert.deepEqual(formsOf({}), [['prisms', 1], ['prisms', 1], ['blockMap', 2], ['prisms', 0]]);
+    assert.deepEqual(formsOf({ form: 'blockMap' }), [['blockMap', 2], ['prisms', 1], ['blockMap', 2], ['prisms', 0]]);
+    assert.deepEqual(formsOf({ hasBlockMaps: false }), [['prisms', 1], ['prisms', 1], ['prisms', Infinity], ['prisms', 0]]);
+});
