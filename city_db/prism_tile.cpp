@@ -64,6 +64,8 @@ bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& 
   if (shape % 8 >= PRISM_KINDS) return false;
   house.kind = static_cast<PrismKind>(shape % 8);
   house.is_owned = (shape & PRISM_OWNED) != 0;
+  house.quadrant = static_cast<std::uint8_t>(shape / PRISM_QUADRANT % PRISM_QUADRANTS);
+  if (house.quadrant != 0 && !house.is_owned) return false;
   const std::uint64_t rings = shape / PRISM_RINGS + 1;
   PlanPoint p = at;
   for (std::uint64_t r = 0; r < rings; ++r) {
@@ -102,9 +104,9 @@ std::string encode_prisms(const PrismTile& tile) {
   std::int32_t ground = 0;
   for (const PrismHouse& house : tile.houses) {
     assert(!house.rings.empty() && has_right_points(house));
-    append_varint(streams[PRISM_STREAM_SHAPE], static_cast<std::uint64_t>(house.kind) +
-                                                   (house.is_owned ? PRISM_OWNED : 0) +
-                                                   PRISM_RINGS * (house.rings.size() - 1));
+    append_varint(streams[PRISM_STREAM_SHAPE],
+                  static_cast<std::uint64_t>(house.kind) + (house.is_owned ? PRISM_OWNED : 0) +
+                      std::uint64_t{PRISM_QUADRANT} * house.quadrant + PRISM_RINGS * (house.rings.size() - 1));
     PlanPoint p = first;
     for (const auto& ring : house.rings) {
       append_varint(streams[PRISM_STREAM_SHAPE], ring.size() - 3);

@@ -15,7 +15,8 @@ enum class PrismKind : std::uint8_t { flat, tent, gabled, hipped };
 
 struct PrismHouse {
   PrismKind kind = PrismKind::flat;
-  bool is_owned = true;  ///< its middle lies in the tile
+  bool is_owned = true;       ///< its middle lies in the tile
+  std::uint8_t quadrant = 0;  ///< of the middle: 0 south-west, 1 south-east, 2 north-west, 3 north-east; 0 if not owned
   /// Steps from the tile's corner; outer counter-clockwise, then holes clockwise; at least three points each.
   std::vector<std::vector<PlanPoint>> rings;
   std::int32_t ground = 0;           ///< steps above the tile's base

@@ -1,6 +1,6 @@
 // The only statement of prism tile bytes (FORMAT.md, "Prism tile"). Integer #defines only. Little-endian.
 #define PRISM_MAGIC 0x31545250  // "PRT1"
-#define PRISM_VERSION 1
+#define PRISM_VERSION 2
 #define PRISM_MAGIC_AT 0       // u32
 #define PRISM_VERSION_AT 4     // u16
 #define PRISM_COLOURS_AT 6     // u16: colours of the palette, 1 ... 4096
@@ -18,7 +18,8 @@
 #define PRISM_HEADER_BYTES 76
 // After the header the palette, 3 bytes a colour, then the streams, varints (7 bits a byte, the low ones first; signed
 // ones zigzag). Houses come in Z order of their first points.
-// Shape of a house: kind + 8 * owned + 16 * number of rings beyond the first; then of each ring its points less 3.
+// Shape of a house: kind + 8 * owned + 16 * quadrant + 64 * number of rings beyond the first; then of each ring its
+// points less 3.
 #define PRISM_STREAM_SHAPE 0
 #define PRISM_STREAM_EAST 1  // signed: first point of a house from that of the house before, then point to point
 #define PRISM_STREAM_NORTH 2
@@ -31,5 +32,7 @@
 #define PRISM_KIND_GABLED 2  // four points: a ridge between the middles of the shorter two sides
 #define PRISM_KIND_HIPPED 3  // four points: the same, drawn in at both ends by half the shorter sides' length
 #define PRISM_KINDS 4
-#define PRISM_OWNED 8  // the house's middle lies in the tile: the other tiles it reaches into have it too
-#define PRISM_RINGS 16
+#define PRISM_OWNED 8      // the house's middle lies in the tile: the other tiles it reaches into have it too
+#define PRISM_QUADRANT 16  // of an owned house: 1 its middle lies in the east half, 2 in the north half
+#define PRISM_QUADRANTS 4
+#define PRISM_RINGS 64

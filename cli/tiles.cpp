@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <memory>
-#include <string_view>
 
 #include "city_db/blockmap_layout.h"
 #include "city_db/byte_fields.hpp"
@@ -47,8 +46,11 @@ class PreviousTiles {
   std::optional<CityReader> reader_;
 };
 
-std::uint32_t error_of(const std::string& plain, TileKind kind) {
-  return u32_at(plain, kind == TileKind::prisms ? PRISM_ERROR_AT : BLOCKMAP_ERROR_AT);
+void note(TileEntry& entry, TileKind kind, const std::string& plain, std::size_t bytes_sent) {
+  if (kind == TileKind::blockmap)
+    entry.blockmap_error_mm = u32_at(plain, BLOCKMAP_ERROR_AT), entry.blockmap_bytes = bytes_sent;
+  if (kind == TileKind::prisms) entry.prism_error_mm = u32_at(plain, PRISM_ERROR_AT), entry.prism_bytes = bytes_sent;
+  if (kind == TileKind::ground) entry.ground_bytes = bytes_sent;
 }
 
 }  // namespace
@@ -64,8 +66,8 @@ std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& 
     if (!old[thread]) old[thread] = std::make_unique<PreviousTiles>(previous);
     const TileNode& node = nodes[i];
     entries[i].node = node;
-    for (const TileKind kind : {TileKind::blockmap, TileKind::prisms}) {
-      if (!(kind == TileKind::prisms ? node.has_prisms : node.has_blockmap)) continue;
+    for (const TileKind kind : kTileKinds) {
+      if (!has_kind(node, kind)) continue;
       const std::string path = tile_path(node.at, kind);
       std::string plain;
       auto artefact = old[thread]->find(path, kind, node.key, plain);
@@ -73,8 +75,7 @@ std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& 
         plain = tile_bytes(scene, levels, node.at, kind, node.key);
         artefact = stored(path, media_type_of(kind), plain, kBrotliQuality);
       }
-      (kind == TileKind::prisms ? entries[i].prism_error_mm : entries[i].blockmap_error_mm) = error_of(plain, kind);
-      (kind == TileKind::prisms ? entries[i].prism_bytes : entries[i].blockmap_bytes) = artefact->body.size();
+      note(entries[i], kind, plain, artefact->body.size());
       made[i].push_back(std::move(*artefact));
     }
   });
@@ -95,26 +96,19 @@ std::function<std::optional<Artefact>()> followed_by(std::function<std::optional
 }
 
 std::optional<MadeTile> make_tile(const std::filesystem::path& city, const std::string& path) {
-  constexpr std::string_view kFolder = "blockmaps/", kSuffix = ".prisms";
-  std::string_view name = path;
-  if (!name.starts_with(kFolder)) return std::nullopt;
-  name.remove_prefix(kFolder.size());
-  TileKind kind = TileKind::blockmap;
-  if (name.ends_with(kSuffix)) {
-    kind = TileKind::prisms;
-    name.remove_suffix(kSuffix.size());
-  }
+  const auto name = parse_tile_path(path);
+  if (!name) return std::nullopt;
   const CityReader reader(city);
   int levels = 0;
   if (const auto text = reader.meta("tile_levels")) std::from_chars(text->data(), text->data() + text->size(), levels);
   if (levels < 1 || levels > kMostTileLevels) return std::nullopt;  // built by a program that knew no tiles
-  const auto at = parse_tile(name, levels);
+  const auto at = parse_tile(name->address, levels);
   if (!at) return std::nullopt;
   const PlanBox box = tile_box(levels, *at);
   if (reader.buildings_in(box, 1, 0).empty()) return std::nullopt;
   const BakeScene scene = read_scene(reader, box);
-  if (kind == TileKind::prisms && scene.houses_in(box).size() > kMostPrisms) return std::nullopt;
-  return MadeTile{media_type_of(kind), tile_bytes(scene, levels, *at, kind, 0)};
+  if (name->kind == TileKind::prisms && scene.houses_in(box).size() > kMostPrisms) return std::nullopt;
+  return MadeTile{media_type_of(name->kind), tile_bytes(scene, levels, *at, name->kind, 0)};
 }
 
 }  // namespace vicus::cli

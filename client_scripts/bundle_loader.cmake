@@ -1,8 +1,13 @@
-# The X3D Script's one file: cmake -DOUT=loader.js -P bundle_loader.cmake
+# An X3D Script's one file: cmake -DOUT=loader.js -P bundle_loader.cmake; with -DWHICH=flyer that of /flyover.x3d.
 # An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`.
 set(modules core/planGeometry.js core/sectorRecord.js core/recordMetadata.js core/loadPhase.js core/sectorSets.js
             core/tightBox.js core/GateTracker.js core/SectorFinder.js core/loadOrder.js core/LevelChoice.js
             core/GateImpostors.js core/Doors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
+if(WHICH STREQUAL flyer)
+  set(modules core/readLayout.js core/groundTile.js core/prismTile.js core/triangulate.js core/TriangleBuilder.js core/prismMesh.js
+              core/groundMesh.js core/tileMesh.js core/tileLoad.js core/viewCone.js core/TileTree.js core/TileRequests.js
+              core/TileFades.js core/RoofHeights.js core/Flyover.js core/TileShapes.js x3d/flyer.js)
+endif()
 set(bundle "")
 foreach(module ${modules})
   file(READ ${CMAKE_CURRENT_LIST_DIR}/${module} text)

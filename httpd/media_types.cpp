@@ -8,13 +8,16 @@
 namespace vicus {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kMediaTypes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kMediaTypes = {{
     {".html", "text/html; charset=utf-8"},
     {".css", "text/css; charset=utf-8"},
     {".js", "text/javascript; charset=utf-8"},
     {".mjs", "text/javascript; charset=utf-8"},
     {".json", "application/json"},
     {".xml", "application/xml"},
+    {".h", "text/plain; charset=utf-8"},
+    {".frag", "text/plain; charset=utf-8"},
+    {".vert", "text/plain; charset=utf-8"},
     {".txt", "text/plain; charset=utf-8"},
     {".md", "text/markdown; charset=utf-8"},
     {".svg", "image/svg+xml"},

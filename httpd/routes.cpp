@@ -9,6 +9,7 @@
 #include "httpd/problem.hpp"
 #include "httpd/sector_routes.hpp"
 #include "httpd/url.hpp"
+#include "x3d_export/flyover_scene.hpp"
 
 namespace vicus {
 namespace {
@@ -150,6 +151,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));
   if (path.starts_with("/sectors/")) return with_route("sector", answer_sector(request, city, path.substr(9)));
   if (path.starts_with("/blockmaps/")) return with_route("blockmap", answer_tile(request, path.substr(1)));
+  if (path == std::string("/") + kFlyoverName) return with_route("city", answer_flyover(request, city));
   if (path == "/tours" || path == "/tours.x3d") return with_route("tours", answer_tours(request, *url, city, desk_));
   if (path == "/search") return with_route("search", answer_search(request, *url, desk_));
   if (path == "/conformance" || path == "/collections" || path.starts_with("/collections/"))

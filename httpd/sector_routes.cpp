@@ -10,6 +10,7 @@
 #include "httpd/media_types.hpp"
 #include "httpd/negotiate.hpp"
 #include "httpd/problem.hpp"
+#include "x3d_export/flyover_scene.hpp"
 #include "x3d_export/glb.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -141,6 +142,10 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
 }
 
 }  // namespace
+
+HttpResponse answer_flyover(const HttpRequest& request, const CityReader& city) {
+  return answer_made(request, media_type_of(SceneFormat::x3d), write_x3d(flyover_scene(source_of(city))));
+}
 
 HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityReader& city) {
   RootOptions options;

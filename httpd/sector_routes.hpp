@@ -9,6 +9,8 @@
 namespace vicus {
 
 /// Needs   url.path is "/city" or begins with "/city.".
+/// /flyover.x3d: the city from above.
+HttpResponse answer_flyover(const HttpRequest& request, const CityReader& city);
 HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityReader& city);
 
 /// `name`: what follows /sectors/, e.g. "r12.x3d", "r12.far.x3d", "r12.2.x3d", or "r12" to choose by Accept.

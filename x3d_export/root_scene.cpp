@@ -31,11 +31,6 @@ constexpr double kOverhang_m = 6, kSunk_m = 1, kSlope_m = 15;
 /// A house without a facade to walk along is sent by a sector near by, rarely so far from it.
 constexpr double kReach_m = 150;
 
-/// Browsers within web pages run a Script node's text by eval; the page of `vicus serve` does without the Script.
-constexpr const char* kNeedsEval =
-    "This world has a Script node: a web page that shows it needs script-src 'unsafe-eval' in its "
-    "Content-Security-Policy. The page at / shows the same city without.";
-
 using Ids = std::set<std::string>;
 
 /// Sectors behind the gates of `id`.
@@ -168,12 +163,13 @@ std::vector<double> colours(std::span<const Colour> list) {
   return values;
 }
 
-/// Sky, light and the way a visitor moves.
-std::vector<Node> surroundings() {
+}  // namespace
+
+std::vector<Node> surroundings(const std::vector<std::string>& navigation_types) {
   Node navigation("NavigationInfo"), sky("Background");
   navigation.set("avatarSize", std::vector<double>(std::begin(kAvatar_m), std::end(kAvatar_m)));
   navigation.set("headlight", false).set("speed", kWalk_m_per_s);
-  navigation.set("type", std::vector<std::string>{"WALK", "ANY"});
+  navigation.set("type", navigation_types);
   sky.set("skyAngle", std::vector<double>(std::begin(kSkyAngles), std::end(kSkyAngles)))
       .set("skyColor", colours(kSkyColours));
   sky.set("groundAngle", std::vector<double>(std::begin(kGroundAngles), std::end(kGroundAngles)))
@@ -186,6 +182,8 @@ std::vector<Node> surroundings() {
   }
   return nodes;
 }
+
+namespace {
 
 ScriptField field(const char* name, FieldType type, FieldValue value) {
   return {name, type, Access::initialize_only, std::move(value), {}};
@@ -264,7 +262,7 @@ std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& o
   info.set("title", FieldValue(caption_of(name)));
   if (!lines.empty()) info.set("info", lines);
   scene.nodes.push_back(std::move(info));
-  for (auto& node : surroundings()) scene.nodes.push_back(std::move(node));
+  for (auto& node : surroundings({"WALK", "ANY"})) scene.nodes.push_back(std::move(node));
   for (auto& node : viewpoint_nodes(source, *start)) scene.nodes.push_back(std::move(node));
 
   Node world("Group", "WORLD");

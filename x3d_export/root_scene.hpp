@@ -23,6 +23,14 @@ struct RootOptions {
   std::string loader_url = "client/loader.js";
 };
 
+/// Browsers within web pages run a Script node's text by eval; the page of `vicus serve` does without the Script.
+inline constexpr const char* kNeedsEval =
+    "This world has a Script node: a web page that shows it needs script-src 'unsafe-eval' in its "
+    "Content-Security-Policy. The page at / shows the same city without.";
+
+/// Sky, light and the way a visitor moves: NavigationInfo, Background, DirectionalLights.
+std::vector<Node> surroundings(const std::vector<std::string>& navigation_types);
+
 /// Where a visitor starts when no sector is named: meta "start", else the sector with the start viewpoint nearest to
 /// the city's origin, else the first square, else the first sector; by id where that leaves a choice. Needs   at least
 /// one sector (assert).

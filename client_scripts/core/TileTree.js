@@ -1,68 +1,88 @@
+import { viewCone } from './viewCone.js';
+
 /** A tile that is good enough is left alone until it is better than this share of what is asked: no flicker. */
 const kCoarsen = 0.8;
-/** m: roofs are not higher than this over the ground, so an eye that low may be right before one. */
-const kRoofs = 100;
+/** Of the error asked for: who comes near it is asked for before it is needed (class C). */
+const kSoon = 0.5;
+/** Tangents of the view, widened so much: what is just beside it (class B). */
+const kBeside = 1.7;
+/** m: heights of a city above 0 before anything of it is known. */
+const kUnknownRange = [0, 100];
 /** m: nearer than this a tile's error counts as if it were there. */
 const kNear = 10;
-/** More houses than this are drawn as a BlockMap where there is one: their polygons would be too many. */
-const kMostHouses = 1500;
+const kQuadrants = [[0, 0], [1, 0], [0, 1], [1, 1]];
+const kAllQuadrants = 15;
 
 /** The tiles of a flown city, from /blockmaps/tree.json, and which of them a view needs. */
 export class TileTree {
     constructor({ levels, leafSide_m: leafSide, tiles }) {
         this.levels = levels;
         this.rootSide = leafSide * 2 ** (levels - 1);
-        this.tiles = new Map(tiles.map(([z, x, y, houses, blockMapError, , prismError]) =>
-            [`${z}/${x}/${y}`, { z, x, y, houses, blockMapError, prismError }]));
+        this.tiles = new Map(tiles.map(([z, x, y, houses, blockMapError, , prismError]) => {
+            const key = `${z}/${x}/${y}`, side = this.rootSide / 2 ** z;
+            const corner = [x * side - this.rootSide / 2, y * side - this.rootSide / 2];
+            return [key, { key, z, x, y, houses, blockMapError, prismError, side, corner }];
+        }));
+        for (const tile of this.tiles.values()) tile.children = kQuadrants.map(([dx, dy]) =>
+            this.tiles.get(`${tile.z + 1}/${2 * tile.x + dx}/${2 * tile.y + dy}`) ?? null);
     }
 
-    childrenOf({ z, x, y }) {
-        return [[0, 0], [1, 0], [0, 1], [1, 1]].map(([dx, dy]) => this.tiles.get(`${z + 1}/${2 * x + dx}/${2 * y + dy}`))
-            .filter(Boolean);
+    get root() {
+        return this.tiles.get('0/0/0');
     }
 
-    /** What a tile is sent as: { path, error in metres }. Prisms but where they would be too many. */
-    formOf({ z, x, y, houses, blockMapError, prismError }) {
-        const path = `blockmaps/${z}/${x}/${y}`;
-        const asBlockMap = prismError === null || (blockMapError !== null && houses > kMostHouses);
-        return asBlockMap ? { path, error: blockMapError ?? 0 } : { path: `${path}.prisms`, error: prismError };
-    }
-
-    /** m: from an eye [east, north, up] to the nearest point that something of the tile may be at. */
-    distance({ z, x, y }, [east, north, up]) {
-        const side = this.rootSide / 2 ** z, west = x * side - this.rootSide / 2, south = y * side - this.rootSide / 2;
-        return Math.hypot(Math.max(west - east, 0, east - west - side), Math.max(south - north, 0, north - south - side),
-            Math.max(up - kRoofs, 0));
+    /** { low, high } of the space a tile may fill. `range`: its lowest and highest point, m. */
+    boxOf({ corner: [east, north], side }, [low, high]) {
+        return { low: [east, north, low], high: [east + side, north + side, high] };
     }
 
     /**
-     * Which tiles to draw and which to ask for, the most needed first (paper 001 §6). `view`: { eye, pixelsPerRadian, pixels: the
-     * error on screen that is asked for }. `isThere(path)`: it can be drawn now. `refined`: of the last call. A tile
-     * gives way to its children when all of them can be drawn, so nothing is drawn twice and nothing is missing.
+     * Which tiles to draw, the nearest first, and which to ask for (paper 001 §6).
+     *
+     * `view`: as viewCone has it, with pixelsPerRadian and pixels, the error on screen that is asked for. `isThere(tile)`: it
+     * can be drawn now. `rangeOf(tile)`: its lowest and highest point, or null. `errorOf(tile)`: m. `refined`: of the last call.
+     *
+     * draw: [{ tile, quadrants: bits, onScreen: error in pixels }]: a tile whose children are wanted and there gives way to
+     * them quadrant by quadrant (Fig. 8), so that nothing is drawn twice and nothing is missing. What is out of view stays as
+     * fine as it was. ask: [{ tile, rank: 'A' in view, 'B' beside it, 'C' before it is needed, onScreen }].
      */
-    choose(view, isThere, refined = new Set()) {
-        const draw = [], ask = [], now = new Set();
-        const visit = tile => {
-            const { path, error } = this.formOf(tile);
-            const onScreen = error * view.pixelsPerRadian / Math.max(this.distance(tile, view.eye), kNear);
-            const children = this.childrenOf(tile);
-            const fine = children.length === 0 || onScreen <= view.pixels * (refined.has(path) ? kCoarsen : 1);
-            if (!isThere(path)) ask.push({ path, onScreen });
-            if (!fine) {
-                now.add(path);
-                const before = [draw.length, ask.length];
-                if (children.map(visit).every(Boolean)) {
-                    if (ask.at(before[1] - 1)?.path === path) ask.splice(before[1] - 1, 1);
-                    return true;
+    choose(view, { isThere, rangeOf = () => null, errorOf, refined = new Set() }) {
+        const draw = [], ask = [], now = new Set(), sees = viewCone(view), seesBeside = viewCone(view, kBeside);
+        const visit = (tile, inherited) => {
+            const range = rangeOf(tile) ?? inherited, box = this.boxOf(tile, range), error = errorOf(tile);
+            const onScreen = error * view.pixelsPerRadian / Math.max(distanceTo(box, view.eye), kNear);
+            const isSeen = sees(box), isBeside = isSeen || seesBeside(box), was = refined.has(tile.key);
+            const isRefined = isBeside ? onScreen > view.pixels * (was ? kCoarsen : 1) : was;
+            const rank = !isRefined ? 'C' : isSeen ? 'A' : 'B';
+            if (isRefined) now.add(tile.key);
+            let own = kAllQuadrants;
+            const visits = [];
+            tile.children.forEach((child, q) => {
+                if (!child) return;
+                if (isRefined && isThere(child)) {
+                    own &= ~(1 << q);
+                    visits.push(child);
+                } else if (isBeside && !isThere(child) && (isRefined || onScreen > view.pixels * kSoon)) {
+                    const childBox = this.boxOf(child, range);
+                    const childRank = rank === 'A' && !sees(childBox) ? 'B' : rank;
+                    if (childRank !== 'C' || sees(childBox)) ask.push({ tile: child, rank: childRank, onScreen });
                 }
-                draw.length = before[0];
+            });
+            const middle = tile.corner.map(value => value + tile.side / 2);
+            const firstEast = view.eye[0] > middle[0] ? 1 : 0, firstNorth = view.eye[1] > middle[1] ? 2 : 0, first = firstEast | firstNorth;
+            for (const q of [first, first ^ 1, first ^ 2, first ^ 3]) {
+                const child = tile.children[q];
+                if (visits.includes(child)) visit(child, range);
             }
-            if (isThere(path)) draw.push(path);
-            return isThere(path);
+            if (own) draw.push({ tile, quadrants: own, onScreen, isFinest: !tile.children.some(Boolean) });
         };
-        const root = this.tiles.get('0/0/0');
-        if (root) visit(root);
-        ask.sort((a, b) => b.onScreen - a.onScreen || (a.path < b.path ? -1 : 1));
-        return { draw, ask: ask.map(({ path }) => path), refined: now };
+        const root = this.root;
+        if (root && isThere(root)) visit(root, kUnknownRange);
+        else if (root) ask.push({ tile: root, rank: 'A', onScreen: Infinity });
+        return { draw, ask, refined: now };
     }
+}
+
+function distanceTo({ low, high }, eye) {
+    return Math.hypot(...eye.map((value, k) => Math.max(low[k] - value, 0, value - high[k])));
 }

@@ -20,7 +20,7 @@ class VarintSource {
 }
 
 /**
- * A prism tile (city_db/FORMAT.md) as { corner: [m, m], side, error, houses }; each house { kind, owned, rings, ground, eave, top,
+ * A prism tile (city_db/FORMAT.md) as { corner: [m, m], side, error, houses }; each house { kind, owned, quadrant, rings, ground, eave, top,
  * wall, roof }: rings of [east, north] in metres from the corner, heights in metres above the plan frame's 0, colours
  * [r, g, b]. `layout`: of prism_tile_layout.h. Throws an Error that says what is wrong with the bytes.
  */
@@ -29,7 +29,7 @@ export function decodePrisms(bytes, layout) {
     if (bytes.length < layout.PRISM_HEADER_BYTES || view.getUint32(layout.PRISM_MAGIC_AT, true) !== layout.PRISM_MAGIC)
         throw new Error('no prism tile');
     if (view.getUint16(layout.PRISM_VERSION_AT, true) !== layout.PRISM_VERSION)
-        throw new Error('a prism tile of another version: load the page again');
+        throw new Error('a prism tile of another version: build the city again, or load the page again');
     const metres = at => view.getInt32(at, true) / 1000;
     const step = metres(layout.PRISM_STEP_AT), upStep = metres(layout.PRISM_UP_STEP_AT), base = metres(layout.PRISM_BASE_AT);
     let at = layout.PRISM_HEADER_BYTES;
@@ -63,7 +63,8 @@ export function decodePrisms(bytes, layout) {
         const low = base + ground * upStep, eave = low + eaves.next() * upStep, top = eave + rises.next() * upStep;
         const [wall, roof] = [palette[colours.next()], palette[colours.next()]];
         if (!wall || !roof) throw new Error('prism tile: a colour that the palette does not have');
-        return { kind: shape % 8, owned: (shape & layout.PRISM_OWNED) !== 0, rings, ground: low, eave, top, wall, roof };
+        const quadrant = Math.floor(shape / layout.PRISM_QUADRANT) % layout.PRISM_QUADRANTS;
+        return { kind: shape % 8, owned: (shape & layout.PRISM_OWNED) !== 0, quadrant, rings, ground: low, eave, top, wall, roof };
     };
     const houses = Array.from({ length: view.getUint32(layout.PRISM_HOUSES_AT, true) }, readHouse);
     return {

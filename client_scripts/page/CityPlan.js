@@ -26,6 +26,12 @@ export class CityPlan {
             }
     }
 
+    /** The same, and all of it is there when the promise is kept. */
+    async whole(east, north, reach) {
+        this.around(east, north, reach);
+        await Promise.all(this.cells.values());
+    }
+
     async fetchCell(i, j) {
         const [lat, lon] = this.degrees, width = kMetresPerDegree * Math.cos(lat * Math.PI / 180);
         const corner = (column, row) => [lon + column * kCell / width, lat + row * kCell / kMetresPerDegree];

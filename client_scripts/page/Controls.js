@@ -1,5 +1,6 @@
 const kWalkKeys = {
     KeyW: { forward: 1 }, ArrowUp: { forward: 1 }, KeyS: { forward: -1 }, ArrowDown: { forward: -1 },
+    Space: { rise: 1 }, KeyC: { rise: -1 },
     KeyA: { right: -1 }, KeyD: { right: 1 },
     KeyQ: { turn: -1 }, ArrowLeft: { turn: -1 }, KeyE: { turn: 1 }, ArrowRight: { turn: 1 },
 };
@@ -11,19 +12,20 @@ const kTapPixels = 6, kTapMilliseconds = 400;
 const kOwnKeys = 'button, input, select, textarea, a, article';
 
 /**
- * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, look, run }.
+ * Keys, mouse and touch -> what the visitor wants: { forward, right, turn, rise, zoom, look, run }.
  *
- * Mouse: a drag looks round, a click taps. Touch: the left half is a stick that walks, the right half looks.
+ * Mouse: a drag looks round, a click taps, the wheel zooms (100 pixels: 1). Touch: the left half is a stick that walks, the right half looks.
  * Keys count by place, not by letter (KeyboardEvent.code): WASD lies alike on every keyboard.
  */
 export class Controls {
     /** `stick`: the element that shows the touch stick. `commands`: code -> function. `tap([x, y], event)`: a click, in its pixels. */
     constructor(surface, stick, commands, tap = () => {}) {
-        Object.assign(this, { surface, stick, commands, tap, held: new Set(), drags: new Map(), look: [0, 0], shift: false });
+        Object.assign(this, { surface, stick, commands, tap, held: new Set(), drags: new Map(), look: [0, 0], zoom: 0, shift: false });
         addEventListener('keydown', event => this.keyDown(event));
         addEventListener('keyup', event => this.keyUp(event));
         addEventListener('blur', () => this.release());
         surface.addEventListener('mousedown', event => event.preventDefault(), { capture: true });   // the focus stays here
+        surface.addEventListener('wheel', event => { this.zoom -= event.deltaY / 100; }, { capture: true, passive: true });
         surface.addEventListener('pointerdown', event => this.pointerDown(event));
         surface.addEventListener('pointermove', event => this.pointerMove(event));
         for (const type of ['pointerup', 'pointercancel']) surface.addEventListener(type, event => this.pointerUp(event));
@@ -31,8 +33,8 @@ export class Controls {
 
     /** What is wanted now; looking is handed over once. */
     wish() {
-        const wish = { forward: 0, right: 0, turn: 0, look: this.look, run: this.shift };
-        this.look = [0, 0];
+        const wish = { forward: 0, right: 0, turn: 0, rise: 0, zoom: this.zoom, look: this.look, run: this.shift };
+        Object.assign(this, { look: [0, 0], zoom: 0 });
         for (const code of this.held)
             for (const [axis, value] of Object.entries(kWalkKeys[code])) wish[axis] += value;
         for (const drag of this.drags.values()) {
@@ -40,7 +42,7 @@ export class Controls {
             wish.forward -= clamp((drag.y - drag.y0) / kStickReach);
             wish.right += clamp((drag.x - drag.x0) / kStickReach);
         }
-        for (const axis of ['forward', 'right', 'turn']) wish[axis] = clamp(wish[axis]);
+        for (const axis of ['forward', 'right', 'turn', 'rise']) wish[axis] = clamp(wish[axis]);
         return wish;
     }
 

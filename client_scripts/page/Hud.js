@@ -27,6 +27,23 @@ export class Hud {
         this.setTitle(street);
     }
 
+    /** Who flies: what lies below him, and how far. `below`: a sector of the CityPlan, or null. */
+    showBelow(below, height) {
+        const street = below?.name ? `Above ${below.name}` : 'Above the city', rounded = height < 100 ? Math.round(height) : 10 * Math.round(height / 10);
+        if (this.at('street').textContent !== street) this.at('street').textContent = street;
+        this.at('kind').textContent = `${rounded} m above the ground`;
+        this.setTitle(street);
+    }
+
+    /** Buttons and help are those of who flies, or walks. */
+    setFlying(isFlying) {
+        this.page.body.classList.toggle('flying', isFlying);
+        this.at('heights').hidden = !isFlying;
+        const button = this.at('fly-button');
+        button.textContent = isFlying ? 'Land' : 'Fly';
+        button.title = isFlying ? 'Land in the street below (V)' : 'Leave the ground and fly (V)';
+    }
+
     /** `name` may be empty: the city has none. */
     showCity(name) {
         this.city = name || 'Vicus';
@@ -54,6 +71,10 @@ export class Hud {
     /** What is around: i of L_i, how many files; or what is being loaded. */
     showStatus({ i, isMeasured, files }) {
         const text = this.loading || `L${i}${isMeasured ? '' : ' (chosen)'} · ${files} files around you`;
+        if (this.at('status').textContent !== text) this.at('status').textContent = text;
+    }
+
+    showText(text) {
         if (this.at('status').textContent !== text) this.at('status').textContent = text;
     }
 

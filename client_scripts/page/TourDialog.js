@@ -4,11 +4,11 @@ import { PlaceSearch } from './PlaceSearch.js';
 /** Asks where to: a place by name, stops on the way, ready-made tours. Needs the elements of index.html. */
 export class TourDialog {
     /**
-     * `degrees`: of the plan's origin; `pose()`: where the visitor is; `play(tour)`, `jump(place)`: what was decided;
+     * `degrees`: of the plan's origin; `pose()`: where the visitor is; `play(tour)`, `jump(place)`, `above(place)`: what was decided;
      * `say(text)`: what went wrong.
      */
-    constructor({ degrees, pose, play, jump, close, page = document, request = url => fetch(url) }) {
-        Object.assign(this, { degrees, pose, play, jump, close, page, request, stops: [], isListed: false });
+    constructor({ degrees, pose, play, jump, above, close, page = document, request = url => fetch(url) }) {
+        Object.assign(this, { degrees, pose, play, jump, above, close, page, request, stops: [], isListed: false });
         this.at = id => page.getElementById(id);
         const search = (id, options = {}) => new PlaceSearch(this.at(id), this.at(`${id}-list`), { request, ...options });
         this.to = search('find-to');
@@ -18,7 +18,8 @@ export class TourDialog {
             event.preventDefault();
             this.walk();
         });
-        this.at('find-jump').addEventListener('click', () => this.jumpThere());
+        this.at('find-jump').addEventListener('click', () => this.goThere(this.jump));
+        this.at('find-above').addEventListener('click', () => this.goThere(this.above));
     }
 
     /** Lists the ready-made tours, once. */
@@ -103,14 +104,15 @@ export class TourDialog {
         tour.name = `${names[0]} – ${names.at(-1)}`.replace(/^./, c => c.toUpperCase());
     }
 
-    async jumpThere() {
+    /** `go`: jump or above, with the place that was chosen, else the best of its name. */
+    async goThere(go) {
         if (!this.to.chosen) {
             await this.to.ask();
             this.to.choose(0);
         }
         if (!this.to.chosen) return this.tell('No place of that name was found.');
         this.close();
-        return this.jump(this.to.chosen);
+        return go(this.to.chosen);
     }
 
     tell(text) {

@@ -7,7 +7,7 @@ const kVeilSeconds = 0.16;
 /** Takes the visitor elsewhere: on foot to a spot he clicked, or at once to a viewpoint, a neighbouring place, a point of the map. */
 export class Travel {
     constructor({ view, visit, hud, veil }) {
-        Object.assign(this, { view, visit, hud, veil, goTo: new GoTo(), viewpoints: new Viewpoints(), marker: null });
+        Object.assign(this, { view, visit, hud, veil, goTo: new GoTo(), viewpoints: new Viewpoints(), marker: null, leaving: () => {} });
     }
 
     /** A wish of the controls, or where none is, the one that leads to the goal. */
@@ -72,6 +72,7 @@ export class Travel {
         if (sectorId) await this.visit.learn(sectorId);
         this.veil.classList.add('shut');
         await new Promise(resolve => setTimeout(resolve, 1000 * kVeilSeconds));
+        this.leaving();   // he may fly
         this.view.setPose({ ...this.view.pose(), pitch: 0, up: this.visit.homePose.up, ...pose });
         this.visit.isJump = true;
         this.veil.classList.remove('shut');

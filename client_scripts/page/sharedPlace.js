@@ -1,30 +1,31 @@
 /**
  * The page's address: ?start=SECTOR&i=LEVEL&test=TEST, and behind # where exactly the visitor stands:
- * east,north,heading[,pitch] in metres and degrees, heading clockwise from north. A link without # starts at the sector's
+ * east,north,heading[,pitch[,up]] in metres and degrees, heading clockwise from north. With up (metres above 0) he
+ * flies there. A link without # starts at the sector's
  * own viewpoint. i=2 holds L_2; i=auto-2 begins there and goes by what is measured.
  */
 export function placeFromUrl(href) {
     const url = new URL(href);
     const numbers = url.hash.slice(1).split(',').map(Number);
-    const isPose = url.hash.length > 1 && (numbers.length === 3 || numbers.length === 4) && numbers.every(Number.isFinite);
-    const [east, north, heading, pitch = 0] = numbers, radians = degrees => degrees * Math.PI / 180;
+    const isPose = url.hash.length > 1 && numbers.length >= 3 && numbers.length <= 5 && numbers.every(Number.isFinite);
+    const [east, north, heading, pitch = 0, up] = numbers, radians = degrees => degrees * Math.PI / 180;
     const level = (url.searchParams.get('i') ?? '').match(/^(auto-)?([0-3])$/);
     return {
         start: url.searchParams.get('start') ?? '',
         level: level ? Number(level[2]) : null,
         isMeasured: Boolean(level?.[1]),
         test: url.searchParams.get('test') ?? '',
-        pose: isPose ? { east, north, heading: radians(heading), pitch: radians(pitch) } : null,
+        pose: isPose ? { east, north, heading: radians(heading), pitch: radians(pitch), ...(up === undefined ? {} : { up }) } : null,
     };
 }
 
-/** `level`: i now; `isMeasured`: it goes by what is measured. */
-export function urlOfPlace(href, start, { east, north, heading, pitch = 0 }, { level = null, isMeasured = true } = {}) {
+/** `level`: i now; `isMeasured`: it goes by what is measured; `isFlying`: the height belongs to the place. */
+export function urlOfPlace(href, start, { east, north, heading, pitch = 0, up = 0 }, { level = null, isMeasured = true, isFlying = false } = {}) {
     const url = new URL(href), degrees = angle => Math.round(angle * 180 / Math.PI);
     if (start) url.searchParams.set('start', start);
     if (level !== null) url.searchParams.set('i', `${isMeasured ? 'auto-' : ''}${level}`);
     const tilt = degrees(pitch) || 0, turn = (degrees(heading) % 360 + 360) % 360;
-    url.hash = [east.toFixed(2), north.toFixed(2), turn, ...(tilt ? [tilt] : [])].join(',');
+    url.hash = [east.toFixed(2), north.toFixed(2), turn, ...(tilt || isFlying ? [tilt] : []), ...(isFlying ? [up.toFixed(1)] : [])].join(',');
     return url.href;
 }
 

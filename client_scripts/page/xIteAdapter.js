@@ -2,9 +2,16 @@ import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
+import { TileShapes } from '../core/TileShapes.js';
 import { axisAngle } from './axisAngle.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
+/** m: radius (twice the near plane), eye, step. */
+const kFlyingAvatar = [4, 1.7, 0.4];
+const kPictures = {
+    open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })),
+    close: address => URL.revokeObjectURL(address),
+};
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
@@ -107,6 +114,40 @@ export class XIteAdapter {
             const ahead = turn.multVec(new this.X3D.SFVec3f(0, 0, -1));
             return { name: description, east: east + p.x, north: north - p.z, heading: Math.atan2(ahead.x, -ahead.z) };
         });
+    }
+
+    /**
+     * A stage for core/Flyover: its Group in the world, the shaders of `world` (/flyover.x3d). `layout`: of ground tiles.
+     * Fails   Error: there is no such shader in it.
+     */
+    async makeTileStage(world, layout) {
+        const xml = new DOMParser().parseFromString(world, 'application/xml'), found = xml.querySelectorAll('ComposedShader[DEF]');
+        if (found.length !== 2) throw new Error('The world from above has not the two shaders for its tiles.');
+        for (const part of xml.querySelectorAll('ShaderPart')) {
+            const [path] = part.getAttribute('url').match(/[^"]+/);
+            part.setAttribute('url', `"${new URL(path, document.baseURI).href}"`);
+        }
+        const texts = [...found].map(shader => `<Shape><Appearance>${new XMLSerializer().serializeToString(shader)}</Appearance></Shape>`);
+        const scene = await this.browser.createX3DFromString(`<X3D profile='Interchange' version='4.0'><head>
+            <component name='Shaders' level='1'/></head><Scene>${texts.join('')}</Scene></X3D>`);
+        const [tiles, blockMaps] = [0, 1].map(i => scene.rootNodes[i].appearance.shaders[0]);
+        const group = this.browser.currentScene.createNode('Group');
+        this.browser.currentScene.rootNodes.push(group);
+        return new TileShapes({ scene: this.browser.currentScene, group, shaders: { tiles, blockMaps },
+            types: this.X3D, pictures: kPictures, beyond: layout.GROUND_BEYOND_CITY });
+    }
+
+    /** The sectors are seen, or rest. Who flies is far from everything: depth is told apart better with a far near plane. */
+    showSectors(isShown) {
+        this.browser.currentScene.getNamedNode('WORLD').visible = isShown;
+        const navigation = this.browser.activeNavigationInfo;
+        this.avatar ??= Array.from(navigation.avatarSize);
+        navigation.avatarSize = new this.X3D.MFFloat(...(isShown ? this.avatar : kFlyingAvatar));
+    }
+
+    /** CSS pixels, width and height. */
+    size() {
+        return [this.canvas.clientWidth, this.canvas.clientHeight];
     }
 
     pose() {

@@ -229,6 +229,9 @@ PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t ti
     const std::int64_t mx = (std::int64_t{house.box.min.x} + house.box.max.x) / 2,
                        my = (std::int64_t{house.box.min.y} + house.box.max.y) / 2;
     prism.is_owned = mx >= box.min.x && my >= box.min.y && mx < box.max.x && my < box.max.y;
+    const std::int64_t half = tile_side_mm / 2;
+    if (prism.is_owned)
+      prism.quadrant = static_cast<std::uint8_t>((mx >= box.min.x + half ? 1 : 0) + (my >= box.min.y + half ? 2 : 0));
     const double roof = choose_roof(house, corner, metres(tile.step_mm), prism);
     error = std::max(error, roof + metres(tile.step_mm) * 1.25);  // half a step cut, 0.71 rounded
     base = std::min(base, house.ground_m);

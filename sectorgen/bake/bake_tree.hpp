@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "city_db/tile_tree.hpp"
@@ -32,11 +33,19 @@ int levels_of(const City& city);
 std::vector<TileNode> plan_tiles(const BakeScene& scene, int levels, unsigned threads);
 
 /// What a tile's path ends with.
-enum class TileKind { blockmap, prisms };
+enum class TileKind { blockmap, prisms, ground };
+inline constexpr TileKind kTileKinds[] = {TileKind::blockmap, TileKind::prisms, TileKind::ground};
+bool has_kind(const TileNode& node, TileKind kind);  ///< every tile has ground
+/// Of "blockmaps/Z/X/Y" with what the kind ends with: the part before it, and which kind.
+struct TileName {
+  std::string_view address;  ///< "Z/X/Y"
+  TileKind kind = TileKind::blockmap;
+};
+std::optional<TileName> parse_tile_path(std::string_view path);
 std::string tile_path(const TileAddress& at, TileKind kind);
 const char* media_type_of(TileKind kind);
 
-/// Plain bytes, as decode_blockmap or decode_prisms read them.
+/// Plain bytes, as decode_blockmap, decode_prisms or decode_ground read them.
 /// `key`: of the tile, from plan_tiles; kept in the bytes.
 std::string tile_bytes(const BakeScene& scene, int levels, const TileAddress& at, TileKind kind, std::uint64_t key);
 /// The key that such bytes were made with; nullopt for bytes that are no such tile.
@@ -46,10 +55,10 @@ std::optional<std::uint64_t> key_of_bytes(std::string_view bytes, TileKind kind)
 struct TileEntry {
   TileNode node;
   std::uint32_t blockmap_error_mm = 0, prism_error_mm = 0, top_mm = 0;
-  std::size_t blockmap_bytes = 0, prism_bytes = 0;  ///< as sent
+  std::size_t blockmap_bytes = 0, prism_bytes = 0, ground_bytes = 0;  ///< as sent
 };
 /// JSON: {"levels", "leafSide_m", "tiles": [[z, x, y, houses, blockmap error m | null, bytes, prisms error m | null,
-/// bytes], ...]}
+/// bytes, bytes of the ground], ...]}
 std::string tree_json(int levels, const std::vector<TileEntry>& tiles);
 inline constexpr const char* kTreePath = "blockmaps/tree.json";
 

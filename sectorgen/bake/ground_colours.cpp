@@ -30,9 +30,25 @@ ColourMean colour_of_kind(std::uint8_t kind) {
   return kColours[kind];
 }
 
+/// The colour at a square of half the size, between the four nearest of n x n.
+ColourMean between(const std::vector<Sum>& larger, std::size_t n, std::size_t column, std::size_t row) {
+  const auto near = [&](std::size_t at) { return at / 2; };
+  const auto beside = [&](std::size_t at) {
+    return at % 2 == 0 ? (at / 2 == 0 ? 0 : at / 2 - 1) : std::min(n - 1, at / 2 + 1);
+  };
+  const auto mean = [&](std::size_t x, std::size_t y) {
+    const Sum& s = larger[y * n + x];
+    return s.colour * (1 / s.weight);
+  };
+  constexpr double kNear = 0.75, kBeside = 0.25;
+  return (mean(near(column), near(row)) * kNear + mean(beside(column), near(row)) * kBeside) * kNear +
+         (mean(near(column), beside(row)) * kNear + mean(beside(column), beside(row)) * kBeside) * kBeside;
+}
+
 }  // namespace
 
-GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame) : side_(frame.side) {
+GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
+    : side_(frame.side), texel_m_(2 * frame.cell_m()) {
   const int n = static_cast<int>(frame.side) * kSamples;
   kind_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0);
   const double scale = kSamples / frame.cell_m();
@@ -62,7 +78,7 @@ ColourMean GroundColours::of_cell(std::size_t column, std::size_t row) const {
   return weight > 0 ? sum * (1 / weight) : mean_of(kBeyondCity);
 }
 
-RgbImage GroundColours::filled() const {
+RgbImage GroundColours::filled(double reach_m) const {
   // Pull: sums of ever larger squares. Push: empty squares take the colour of the next larger one.
   std::vector<std::vector<Sum>> levels;
   std::size_t n = side_ / 2;
@@ -77,7 +93,7 @@ RgbImage GroundColours::filled() const {
             s.colour = s.colour + colour_of_kind(kind);
             s.weight += 1;
           }
-  for (; n > 1; n /= 2) {
+  for (double square_m = texel_m_; n > 1 && square_m < reach_m; n /= 2, square_m *= 2) {
     std::vector<Sum> next(n / 2 * (n / 2));
     for (std::size_t row = 0; row < n; ++row)
       for (std::size_t column = 0; column < n; ++column) {
@@ -88,14 +104,14 @@ RgbImage GroundColours::filled() const {
       }
     levels.push_back(std::move(next));
   }
-  if (levels.back()[0].weight == 0) levels.back()[0] = {mean_of(kBeyondCity), 1};
+  for (Sum& s : levels.back())
+    if (s.weight == 0) s = {mean_of(kBeyondCity), 1};
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
     const std::size_t size = (side_ / 2) >> level;
     for (std::size_t row = 0; row < size; ++row)
       for (std::size_t column = 0; column < size; ++column) {
         Sum& s = levels[level][row * size + column];
-        const Sum& larger = levels[level + 1][row / 2 * (size / 2) + column / 2];
-        if (s.weight == 0) s = {larger.colour * (1 / larger.weight), 1};
+        if (s.weight == 0) s = {between(levels[level + 1], size / 2, column, row), 1};
       }
   }
   const auto half = static_cast<std::uint32_t>(side_ / 2);

@@ -1,4 +1,5 @@
 #pragma once
+#include "city_db/ground_tile_layout.h"
 #include "sectorgen/bake/cell_pieces.hpp"
 #include "sectorgen/bake/webp_image.hpp"
 
@@ -6,7 +7,8 @@
 namespace vicus {
 
 /// Ground that no surface covers: beyond the city's edge.
-inline constexpr Colour kBeyondCity{176, 172, 152};
+inline constexpr Colour kBeyondCity{GROUND_BEYOND_CITY >> 16, GROUND_BEYOND_CITY >> 8 & 0xff,
+                                    GROUND_BEYOND_CITY & 0xff};
 
 class GroundColours {
  public:
@@ -15,10 +17,12 @@ class GroundColours {
   ColourMean of_cell(std::size_t column, std::size_t row) const;  ///< kBeyondCity where no sample is ground
   /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and
   /// the foot of a wall is never roof-coloured.
-  RgbImage filled() const;
+  /// Squares wider than reach_m without any ground are kBeyondCity.
+  RgbImage filled(double reach_m = 1e9) const;
 
  private:
   std::size_t side_;
+  double texel_m_;                  ///< of filled()
   std::vector<std::uint8_t> kind_;  ///< 1 + SurfaceKind; 0: none
 };
 

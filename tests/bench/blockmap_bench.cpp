@@ -408,8 +408,8 @@ void rebake(Loaded& city) {
   int baked = 0;
   for (std::size_t i = 0; i < after.size(); ++i)
     if (before[i].key != after[i].key)
-      for (const TileKind kind : {TileKind::blockmap, TileKind::prisms})
-        if (kind == TileKind::prisms ? after[i].has_prisms : after[i].has_blockmap) {
+      for (const TileKind kind : kTileKinds)
+        if (has_kind(after[i], kind)) {
           tile_bytes(scene, levels, after[i].at, kind, after[i].key);
           ++baked;
         }

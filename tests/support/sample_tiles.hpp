@@ -1,6 +1,7 @@
 #pragma once
 #include "city_db/blockmap.hpp"
 #include "city_db/blockmap_paper.hpp"
+#include "city_db/ground_tile.hpp"
 #include "city_db/prism_tile.hpp"
 
 /// Small tiles made by hand: those that FORMAT.md shows byte by byte.
@@ -45,15 +46,31 @@ inline PrismTile sample_prisms() {
   tile.error_mm = 210;
   tile.key = 0x1122334455667788u;
   tile.palette = {{200, 190, 180}, {150, 70, 50}};
-  tile.houses = {{PrismKind::gabled, true, {{{80, 80}, {160, 80}, {160, 144}, {80, 144}}}, 5, 62, 31, 0, 1},
+  tile.houses = {{PrismKind::gabled, true, 2, {{{80, 520}, {160, 520}, {160, 584}, {80, 584}}}, 5, 62, 31, 0, 1},
                  {PrismKind::flat,
                   false,
+                  0,
                   {{{-40, 200}, {120, 200}, {120, 360}, {-40, 360}}, {{20, 260}, {20, 300}, {60, 300}, {60, 260}}},
                   5,
                   150,
                   0,
                   0,
                   0}};
+  return tile;
+}
+
+/// A slope of 3 x 3 nodes; the picture is no picture.
+inline GroundTile sample_ground() {
+  GroundTile tile;
+  tile.corner = {-128'000, 0};
+  tile.tile_side_mm = 128'000;
+  tile.nodes = 3;
+  tile.base_mm = 2'000;
+  tile.step_mm = 10;
+  tile.key = 0x1122334455667788u;
+  tile.height = {0, 100, 200, 0, 100, 300, 0, 100, 400};
+  tile.picture_side = 256;
+  tile.picture = "WebP";
   return tile;
 }
 

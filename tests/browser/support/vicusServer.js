@@ -30,9 +30,16 @@ export function cities() {
     return made;
 }
 
-function build(folder, input) {
+/** Cities that take minutes to build: Berlin Mitte, where the data is and VICUS_LARGE is set. */
+export function largeCities() {
+    const folder = join(kData, 'berlin-mitte'), isWanted = process.env.VICUS_LARGE && !process.env.VICUS_ORIGIN && !process.env.VICUS_CITY;
+    const files = ['buildings', 'streets', 'water'].map(name => join(folder, `${name}.geojsonl.gz`));
+    return isWanted && files.every(existsSync) ? { berlin: place => build(place, ...files) } : {};
+}
+
+function build(folder, ...inputs) {
     const city = join(folder, 'city.gpkg');
-    execFileSync(program(), ['build', input, '-o', city, '--quiet', ...(process.env.VICUS_BUILD_OPTIONS ?? '').split(' ').filter(Boolean)], { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync(program(), ['build', ...inputs, '-o', city, '--quiet', ...(process.env.VICUS_BUILD_OPTIONS ?? '').split(' ').filter(Boolean)], { stdio: ['ignore', 'ignore', 'inherit'] });
     return city;
 }
 

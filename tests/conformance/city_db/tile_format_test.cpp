@@ -6,6 +6,7 @@
 #include "city_db/blockmap2007_layout.h"
 #include "city_db/blockmap2009_layout.h"
 #include "city_db/blockmap_layout.h"
+#include "city_db/ground_tile_layout.h"
 #include "city_db/prism_tile_layout.h"
 #include "tests/support/hex_dump.hpp"
 #include "tests/support/sample_tiles.hpp"
@@ -27,15 +28,27 @@ TEST(FormatMd, ShowsAPrismTileAsTheEncoderWritesIt) {
   EXPECT_EQ(decode_prisms(dumped_bytes(2)), sample_prisms());
 }
 
+TEST(FormatMd, ShowsAGroundTileAsTheEncoderWritesIt) {
+  EXPECT_EQ(dumped_bytes(3), encode_ground(sample_ground()));
+  EXPECT_EQ(decode_ground(dumped_bytes(3)), sample_ground());
+}
+
+/// Version 1 had no quadrants: its houses would be drawn in the wrong ones.
+TEST(PrismTile, OfVersion1IsRefused) {
+  std::string bytes = encode_prisms(sample_prisms());
+  bytes[PRISM_VERSION_AT] = 1;
+  EXPECT_FALSE(decode_prisms(bytes));
+}
+
 TEST(FormatMd, ShowsTheHeaderOfABlockMapOf2007) {
-  EXPECT_EQ(dumped_bytes(3), encode_paper(sample_paper()).substr(0, BLOCKMAP2007_HEADER_BYTES));
+  EXPECT_EQ(dumped_bytes(4), encode_paper(sample_paper()).substr(0, BLOCKMAP2007_HEADER_BYTES));
   EXPECT_EQ(decode_paper(encode_paper(sample_paper())), sample_paper());
 }
 
 /// What JavaScript and shaders read must be what C++ was compiled with: numbers only, one a line.
 TEST(Layouts, AreIntegerDefinesThatAnyoneCanRead) {
-  for (const char* name :
-       {"blockmap_layout.h", "blockmap2007_layout.h", "blockmap2009_layout.h", "prism_tile_layout.h"}) {
+  for (const char* name : {"blockmap_layout.h", "blockmap2007_layout.h", "blockmap2009_layout.h", "prism_tile_layout.h",
+                           "ground_tile_layout.h"}) {
     std::istringstream lines(read_bytes(std::string(VICUS_TESTS) + "/../city_db/" + name));
     int defines = 0;
     for (std::string line; std::getline(lines, line);) {

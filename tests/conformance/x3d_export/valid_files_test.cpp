@@ -9,6 +9,7 @@
 #include "tests/support/sample_interior.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/x3d_text.hpp"
+#include "x3d_export/flyover_scene.hpp"
 #include "x3d_export/interior_scene.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -49,6 +50,7 @@ class WrittenCity {
       options.level = kEverySector;
       add(std::string("static") + suffix_of(format), *root_text(source_of(index_), options));
     }
+    add(kFlyoverName, write_x3d(flyover_scene(source_of(index_))));
   }
 
   std::vector<fs::path> paths_with(const std::string& suffix) const {
@@ -244,7 +246,7 @@ TEST(X3dFiles, HaveATitleAnAppearanceForEachShapeAndRoutesThatEnd) {
       for (const auto& use : attributes_in(text, element, "USE"))
         EXPECT_TRUE(use.empty() || text.find("DEF='" + use + "'") < text.find("USE='" + use + "'")) << path;
   }
-  EXPECT_EQ(routes, 24u);  // two ends each: 2 of the root, 2 of a lamp, 3 of a fountain, 5 of a tram
+  EXPECT_EQ(routes, 30u);  // two ends each: 2 of the root, 3 of the flyover, 2 of a lamp, 3 of a fountain, 5 of a tram
 }
 
 TEST(X3dFiles, NeverInlineThemselves) {

@@ -330,6 +330,21 @@ TEST_F(RoutesOfSampleCity, ServeThePageUnderAPolicyWithoutEval) {
   EXPECT_GT(embedded_client_files().size(), 3u);
 }
 
+TEST_F(RoutesOfSampleCity, GiveTheWorldFromAboveAndTheLayoutsOfItsTiles) {
+  const auto world = get("/flyover.x3d");
+  EXPECT_EQ(world.status, 200);
+  EXPECT_EQ(field(world, "Content-Type"), "model/x3d+xml");
+  for (const char* script : {"/client/flyer.js", "/client/x3d/flyover.vert", "/client/x3d/flyover.frag"}) {
+    EXPECT_EQ(get(script).status, 200) << script;
+    EXPECT_NE(world.body->find(std::string(script).substr(1)), std::string::npos) << script;
+  }
+  for (const char* layout : {"prism_tile", "ground_tile", "blockmap"}) {
+    const auto header = get(std::string("/client/layout/") + layout + "_layout.h");
+    EXPECT_EQ(header.status, 200) << layout;
+    EXPECT_NE(header.body->find("#define "), std::string::npos) << layout;
+  }
+}
+
 TEST_F(RoutesOfSampleCity, AnswerOperators) {
   EXPECT_EQ(*get("/healthz").body, "ok\n");
   EXPECT_EQ(get("/metrics").status, 200);

@@ -7,6 +7,7 @@
 
 #include "tests/support/sample_city.hpp"
 #include "tests/support/x3d_text.hpp"
+#include "x3d_export/flyover_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
 namespace vicus {
@@ -29,6 +30,38 @@ TEST(RootScene, KnowsTheStartSectorAndThoseBehindItsGatesOnly) {
       (std::vector<std::string>{urls.begin(), urls.begin() + 3}),
       (std::vector<std::string>{"\"sectors/s-passage.x3d\"", "\"sectors/s-main-e.x3d\"", "\"sectors/s-yard.x3d\""}));
   for (std::size_t i = 3; i < urls.size(); ++i) EXPECT_EQ(urls[i], "") << "the rest are USEs";
+}
+
+TEST(FlyoverScene, BringsTheWorldsLightHazeAndTheShaders) {
+  const Sample sample;
+  const std::string text = write_x3d(flyover_scene(source_of(sample.index)));
+  const std::string world = sample.text({});
+  for (const char* field : {"direction", "intensity"})
+    EXPECT_EQ(attributes_in(text, "DirectionalLight", field), attributes_in(world, "DirectionalLight", field));
+  std::string directions;
+  for (const auto& d : attributes_in(world, "DirectionalLight", "direction"))
+    directions += (directions.empty() ? "" : " ") + d;
+  EXPECT_NE(text.find("name='lightDirections' type='MFVec3f' accessType='initializeOnly' value='" + directions + "'"),
+            std::string::npos);
+  EXPECT_EQ(attributes_in(text, "ComposedShader", "language").size(), 4u) << "two nodes, and a USE of each";
+  EXPECT_EQ(attributes_in(text, "ShaderPart", "type"),
+            (std::vector<std::string>{"VERTEX", "FRAGMENT", "VERTEX", "FRAGMENT"}));
+  EXPECT_NE(text.find("<component name='Shaders' level='1'/>"), std::string::npos);
+}
+
+TEST(FlyoverScene, SeesTheWholeTreeFromItsViewpoint) {
+  const Sample sample;
+  auto source = source_of(sample.index);
+  const auto meta = source.meta;
+  const auto position_with = [&](const char* levels) {
+    source.meta = [&, levels](const std::string& key) {
+      return key == "tile_levels" ? std::string(levels) : meta(key);
+    };
+    return attributes_in(write_x3d(flyover_scene(source)), "Viewpoint", "position").at(0);
+  };
+  EXPECT_EQ(position_with("5"), "0 614.4 768");  // 2048 m wide
+  EXPECT_EQ(position_with("7"), "0 2457.6 3072");
+  EXPECT_EQ(position_with("nonsense"), "0 300 375");
 }
 
 TEST(RootScene, StartsAtAnySectorAndRefusesOthers) {

@@ -50,13 +50,13 @@ test('a button goes on while it is held, and makes one step when it is tapped', 
 test('settings: the address before what is kept, nonsense counts as nothing, who saves data has a slow line', () => {
     const kept = text => ({ getItem: () => text });
     const none = { level: null, isMeasured: false, test: '' };
-    assert.deepEqual(storedSettings(none, kept(null), {}), { level: null, line: 'auto', test: 'polygon', startLevel: 1 });
+    assert.deepEqual(storedSettings(none, kept(null), {}), { level: null, line: 'auto', test: 'polygon', startLevel: 1, detail: 'medium', form: 'auto' });
     assert.equal(storedSettings(none, kept(null), { saveData: true }).line, 'slow');
-    assert.deepEqual(storedSettings(none, kept('{"level":3,"line":"fast","test":"gate"}'), {}), { level: 3, line: 'fast', test: 'gate', startLevel: 1 });
+    assert.deepEqual(storedSettings(none, kept('{"level":3,"line":"fast","test":"gate","detail":"fine","form":"blockMap"}'), {}), { level: 3, line: 'fast', test: 'gate', startLevel: 1, detail: 'fine', form: 'blockMap' });
     for (const text of ['{"level":9,"line":"x","test":"y"}', 'no JSON', '7'])
-        assert.deepEqual(storedSettings(none, kept(text), {}), { level: null, line: 'auto', test: 'polygon', startLevel: 1 });
+        assert.deepEqual(storedSettings(none, kept(text), {}), { level: null, line: 'auto', test: 'polygon', startLevel: 1, detail: 'medium', form: 'auto' });
     assert.equal(storedSettings({ ...none, level: 0 }, kept('{"level":3}'), {}).level, 0);
     assert.deepEqual(storedSettings({ ...none, level: 2, isMeasured: true, test: 'box' }, kept('{"level":3}'), {}),
-        { level: null, line: 'auto', test: 'box', startLevel: 2 });
+        { level: null, line: 'auto', test: 'box', startLevel: 2, detail: 'medium', form: 'auto' });
     assert.equal(storedSettings(none, { getItem: () => { throw new Error('forbidden'); } }, {}).line, 'auto');
 });

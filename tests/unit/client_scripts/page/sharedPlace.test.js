@@ -12,7 +12,16 @@ test('a shared address gives back its place to a centimetre and a degree', () =>
 
 test('an address without a place, or with something else behind #, has no pose', () => {
     assert.deepEqual(placeFromUrl('http://city.example/'), { start: '', pose: null, level: null, isMeasured: false, test: '' });
-    for (const rest of ['#', '#top', '#1,2', '#1,2,x', '#1,2,3,x', '#1,2,3,4,5']) assert.equal(placeFromUrl(`http://city.example/${rest}`).pose, null, rest);
+    for (const rest of ['#', '#top', '#1,2', '#1,2,x', '#1,2,3,x', '#1,2,3,4,5,6']) assert.equal(placeFromUrl(`http://city.example/${rest}`).pose, null, rest);
+});
+
+test('a shared address of who flies keeps his height', () => {
+    const pose = { east: 1, north: 2, heading: 1, pitch: -0.5, up: 123.4 };
+    const back = placeFromUrl(urlOfPlace('http://city.example/', 'r12', pose, { isFlying: true })).pose;
+    for (const key of Object.keys(pose)) assert.ok(Math.abs(back[key] - pose[key]) < 0.01, key);
+    const level = placeFromUrl(urlOfPlace('http://city.example/', 'r12', { ...pose, pitch: 0 }, { isFlying: true })).pose;
+    assert.deepEqual([level.pitch, level.up], [0, 123.4]);
+    assert.equal(placeFromUrl(urlOfPlace('http://city.example/', 'r12', pose)).pose.up, undefined);
 });
 
 test('a shared address keeps how the visitor looks up, and i, chosen or measured', () => {

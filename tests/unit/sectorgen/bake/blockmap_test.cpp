@@ -9,11 +9,14 @@
 
 #include "city_db/blockmap_layout.h"
 #include "city_db/boxes.hpp"
+#include "city_db/terrain.hpp"
 #include "city_db/tile_tree.hpp"
+#include "sectorgen/bake/bake_ground.hpp"
 #include "sectorgen/bake/bake_paper.hpp"
 #include "sectorgen/bake/bake_prisms.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/bake/raycast_reference.hpp"
+#include "sectorgen/bake/webp_image.hpp"
 #include "tests/support/built_city.hpp"
 #include "tests/support/flight.hpp"
 #include "tests/support/sample_city.hpp"
@@ -264,6 +267,50 @@ TEST(PrismTile, HasEveryHouseWholeAndOwnedOnce) {
   EXPECT_GT(all, owned);  // some stand on a seam
 }
 
+/// A parent's quadrant has the houses that the child owns: a client draws either, and nothing twice.
+TEST(PrismTile, HasTheHousesOfItsChildrenInItsQuadrants) {
+  const int levels = tile_levels(town_scene().box());
+  ASSERT_GE(levels, 2);
+  for (int z = 0; z + 1 < levels; ++z)
+    for (std::uint32_t y = 0; y < 1u << z; ++y)
+      for (std::uint32_t x = 0; x < 1u << z; ++x) {
+        const TileAddress at{z, x, y};
+        std::size_t mine[4] = {}, theirs[4] = {};
+        for (const PrismHouse& h : bake_prisms(town_scene(), tile_corner(levels, at), tile_side_mm(levels, z)).houses)
+          if (h.is_owned) ++mine[h.quadrant];
+        for (int q = 0; q < 4; ++q)
+          for (const PrismHouse& h :
+               bake_prisms(town_scene(), tile_corner(levels, child_of(at, q)), tile_side_mm(levels, z + 1)).houses)
+            theirs[q] += h.is_owned;
+        for (int q = 0; q < 4; ++q) EXPECT_EQ(mine[q], theirs[q]) << tile_path(at) << " quadrant " << q;
+      }
+}
+
+TEST(GroundTile, HasTheTerrainAtItsNodesAndThePictureOfTheTown) {
+  City hilly = town();
+  hilly.terrain = {{-2'000'000, -2'000'000}, 100'000, 41, 41, {}};
+  for (int row = 0; row < 41; ++row)
+    for (int column = 0; column < 41; ++column) hilly.terrain.height_mm.push_back(500 * column + 20 * row * row);
+  const BakeScene scene(hilly, pictures_of(hilly), 2);
+  const PlanPoint corner = town_tiles().front();
+  const GroundTile tile = bake_ground(scene, corner, kTile_mm);
+  ASSERT_EQ(tile.nodes, 33u);
+  for (std::uint32_t row = 0; row < 33; ++row)
+    for (std::uint32_t column = 0; column < 33; ++column) {
+      const auto mm = [&](std::int32_t from, std::uint32_t i) { return from + static_cast<std::int32_t>(4'000 * i); };
+      const double truth = height_m(scene.terrain(), {mm(corner.x, column), mm(corner.y, row)});
+      EXPECT_NEAR((tile.base_mm + double(tile.height[row * 33 + column]) * tile.step_mm) / 1000, truth, 0.005 + 1e-9);
+    }
+  EXPECT_EQ(bake_ground(town_scene(), corner, kTile_mm).nodes, 3u);
+  const auto picture = decode_webp(tile.picture, 256, 256);
+  ASSERT_TRUE(picture);
+  std::set<std::uint32_t> colours;
+  for (std::size_t i = 0; i < picture->rgb.size(); i += 3)
+    colours.insert(picture->rgb[i] / 16u * 256 + picture->rgb[i + 2] / 16u);
+  EXPECT_GT(colours.size(), 8u);
+  EXPECT_EQ(decode_ground(encode_ground(tile)), tile);
+}
+
 TEST(PrismTile, IsTheSameHouseInBothTilesThatHaveIt) {
   const auto corners = town_tiles();
   const PlanPoint left = corners.front(), right{left.x + static_cast<std::int32_t>(kTile_mm), left.y};
@@ -295,6 +342,13 @@ TEST(TileTree, PlansEveryHouseDownToASmallTileAndParsesItsPaths) {
   EXPECT_EQ(nodes[0].houses, town_scene().houses().size());
   for (const TileNode& node : nodes) {
     EXPECT_EQ(parse_tile(tile_path(node.at).substr(10), levels), node.at);
+    for (const TileKind kind : kTileKinds) {
+      const std::string path = tile_path(node.at, kind);
+      const auto name = parse_tile_path(path);
+      ASSERT_TRUE(name) << path;
+      EXPECT_EQ(name->kind, kind) << path;
+      EXPECT_EQ(parse_tile(name->address, levels), node.at) << path;
+    }
     EXPECT_TRUE(node.has_prisms || node.houses > kMostPrisms || node.houses == 0);
   }
   for (const char* bad : {"", "0", "0/0", "0/0/1", "1/2/0", "01/0/0", "0/0/0/0", "9/0/0", "-1/0/0", "0/0/0.prisms"})
@@ -376,10 +430,11 @@ TEST(TileDecoders, TakeDamagedTilesWithoutHarm) {
   const PlanPoint corner = town_tiles().front();
   const std::string good[] = {encode_blockmap(bake_blockmap(town_scene(), corner, kTile_mm, options)),
                               encode_prisms(bake_prisms(town_scene(), corner, kTile_mm)),
+                              encode_ground(bake_ground(town_scene(), corner, kTile_mm)),
                               encode_paper(bake_paper(town_scene(), corner, kTile_mm, PaperYear::y2007, 16, 64))};
   std::mt19937_64 random(5);
   for (int i = 0; i < 3000; ++i) {
-    std::string bytes = good[random() % 3];
+    std::string bytes = good[random() % 4];
     for (std::uint64_t k = random() % 4; k > 0; --k)
       bytes[random() % std::min<std::size_t>(bytes.size(), random() % 2 ? 100 : bytes.size())] = char(random());
     if (random() % 4 == 0) bytes.resize(random() % bytes.size());

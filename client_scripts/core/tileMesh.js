@@ -1,0 +1,42 @@
+import { TriangleBuilder } from './TriangleBuilder.js';
+import { addGround } from './groundMesh.js';
+import { decodeGround } from './groundTile.js';
+import { addPrism } from './prismMesh.js';
+import { decodePrisms } from './prismTile.js';
+
+/** Bytes of one corner in the graphics card's memory: place, normal, colour, place in the pattern; and of a texel. */
+const kCornerBytes = 4 * (4 + 3 + 4 + 4), kTexelBytes = 4 * 4 / 3;
+
+/**
+ * A tile made ready to draw from what the server sends: four quadrants of triangles, each with the houses whose middles
+ * lie in it and its ground. `prisms` may be null: no house stands there.
+ *
+ * { corner, side, error, parts: [{ positions, normals, colours, places, indices }], picture, roofs, range, bytes }: metres
+ * from the corner, X3D's axes; `roofs`: west, south, east, north, top of each house that reaches into the tile, plan
+ * metres; `range`: lowest and highest point; `bytes`: what it takes to keep it.
+ */
+export function tileMesh({ prisms, ground }, layouts) {
+    const base = decodeGround(ground, layouts.ground), tile = prisms ? decodePrisms(prisms, layouts.prisms) : { houses: [], error: 0 };
+    const builders = [0, 1, 2, 3].map(quadrant => {
+        const builder = new TriangleBuilder();
+        addGround(builder, base, quadrant);
+        return builder;
+    });
+    for (const house of tile.houses) if (house.owned) addPrism(builders[house.quadrant], house, layouts.prisms);
+    const parts = builders.map(builder => builder.build());
+    const roofs = Float32Array.from(tile.houses.flatMap(house => roofOf(house, base.corner)));
+    const range = [Math.min(...base.heights), tile.houses.reduce((top, house) => Math.max(top, house.top), Math.max(...base.heights))];
+    const corners = parts.reduce((sum, { indices }) => sum + indices.length, 0);
+    return { corner: base.corner, side: base.side, error: tile.error, parts, picture: base.picture, roofs, range,
+        heights: base.heights, nodes: base.nodes, bytes: kCornerBytes * corners + kTexelBytes * 256 * 256 };
+}
+
+function roofOf({ rings: [ring], top }, [east, north]) {
+    const [x, y] = [0, 1].map(k => ring.map(point => point[k]));
+    return [east + Math.min(...x), north + Math.min(...y), east + Math.max(...x), north + Math.max(...y), top];
+}
+
+/** What must move, not be copied, when a worker hands a tile over. */
+export function buffersOf({ parts, roofs, heights, picture, image }) {
+    return [...parts.flatMap(part => Object.values(part).map(array => array.buffer)), roofs.buffer, heights.buffer, (picture ?? image.pixels).buffer];
+}
