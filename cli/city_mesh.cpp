@@ -137,8 +137,11 @@ RenderMesh city_mesh(const CityIndex& index, const ReadyImages& images, const Ci
   return CityMeshBuilder(index, images, options).whole();
 }
 
-RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts) {
-  return CityMeshBuilder(index, images, {}).of(parts);
+RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
+                      bool has_city_ends) {
+  CityMeshOptions options;
+  options.has_city_ends = has_city_ends;
+  return CityMeshBuilder(index, images, options).of(parts);
 }
 
 ReadyImages cached(ImageSource image) {

@@ -41,7 +41,8 @@ struct SectorPart {
 };
 /// Some files of a city, as sent: a sector whose file leaves level 4 out comes in level 3.
 /// Frame   origin in the middle of all the city's ground, whatever the parts.   Fails   as above.
-RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts);
+RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
+                      bool has_city_ends = true);
 
 /// An image source that takes what city.textures holds.   Needs   `city` outlives it.
 ImageSource textures_of(const City& city);

@@ -150,16 +150,16 @@ double add_glb(RenderMesh& mesh, const std::string& file, PlanPoint sector_origi
     }
   double decode_ms = 0;
   for (const Json& primitive : gltf.at("meshes").at(0).at("primitives")) {
+    const Json& material = gltf.at("materials").at(primitive.at("material").get<std::size_t>());
+    if (material.contains("extensions")) continue;  // not lit: the city's end
     const bool is_textured = primitive.at("attributes").contains("TEXCOORD_0");
     const char* const extra = is_textured ? "TEXCOORD_0" : "COLOR_0";
     const double start = cpu_ms();
     const Primitive decoded =
         primitive.contains("extensions") ? reader.draco(primitive, extra) : reader.meshopt(primitive, extra);
     decode_ms += cpu_ms() - start;
-    const Json& material = gltf.at("materials").at(primitive.at("material").get<std::size_t>());
     RenderTriangle look;
     look.is_two_sided = material.value("doubleSided", false);
-    look.is_lit = !material.contains("extensions");
     if (is_textured) {
       const Json& texture =
           gltf.at("textures")

@@ -12,7 +12,7 @@ namespace vicus::measure {
 using PngImages = std::map<std::string, std::shared_ptr<const RepeatedImage>>;
 
 /// Adds to `mesh` what a GLB of x3d_export/glb.hpp holds, decoded by Draco's and meshoptimizer's own decoders, at the
-/// sector's origin. Returns the CPU time of decoding the geometry, ms.
+/// sector's origin, but what shuts the gates at the city's end. Returns the CPU time of decoding the geometry, ms.
 /// Fails   CityError: other bytes than sector_glb writes.
 double add_glb(RenderMesh& mesh, const std::string& file, PlanPoint sector_origin, PngImages& images);
 

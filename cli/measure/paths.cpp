@@ -17,7 +17,7 @@ constexpr double kAhead_m = 6;                     // a walker looks at where he
 constexpr double kLeastCircle_m = 200;             // a town smaller than this is flown round
 constexpr double kInwards = std::numbers::pi / 3;  // of the flight
 constexpr double kRadian = std::numbers::pi / 180;
-constexpr int kTries = 48;
+constexpr int kTries = 24;
 constexpr double kMiddleShare = 0.7;  // of the city's box, where a walk may begin and end
 
 PlanBox houses_box(const City& city) {
@@ -72,6 +72,15 @@ Tour walk_tour(const Guide& guide, const City& city, std::uint64_t seed) {
     for (const Sector& s : city.sectors) streets.push_back(&s);
   }
   std::mt19937_64 random(seed);
+  const double middle_east = metres((std::int64_t{box.min.x} + box.max.x) / 2),
+               middle_north = metres((std::int64_t{box.min.y} + box.max.y) / 2);
+  const auto farthest = [&](const Tour& tour) {  // from the middle, of the first kWalk_m
+    double most = 0;
+    for (const TourPoint& p : tour.points)
+      if (p.walked_m <= kWalk_m)
+        most = std::max(most, std::hypot(metres(p.at.x) - middle_east, metres(p.at.y) - middle_north));
+    return most;
+  };
   Tour best;
   for (int i = 0; i < kTries && streets.size() >= 2; ++i) {
     const Sector &from = *streets[random() % streets.size()], &to = *streets[random() % streets.size()];
@@ -82,15 +91,15 @@ Tour walk_tour(const Guide& guide, const City& city, std::uint64_t seed) {
       const PlanPoint a = point_inside(*s), b = point_inside(from);
       return std::hypot(double(a.x) - b.x, double(a.y) - b.y);
     };
-    if (!squares.empty())
-      query.via.push_back((*std::min_element(squares.begin(), squares.end(), [&](const Sector* a, const Sector* b) {
-                            return away(a) < away(b);
-                          }))->id);
+    const auto nearer = [&](const Sector* a, const Sector* b) { return away(a) < away(b); };
+    if (!squares.empty()) query.via.push_back((*std::min_element(squares.begin(), squares.end(), nearer))->id);
+    query.via.push_back(streets[random() % streets.size()]->id);  // or a small town's walks are too short
     const TourAnswer answer = guide.tour(query);
     const Tour* tour = std::get_if<Tour>(&answer);
-    if (tour == nullptr || tour->points.size() < 2 || tour->length_m <= best.length_m) continue;
-    best = *tour;
-    if (best.length_m >= kWalk_m) break;
+    if (tour == nullptr || tour->points.size() < 2) continue;
+    const bool is_long = tour->length_m >= kWalk_m, was_long = best.length_m >= kWalk_m;
+    if (is_long != was_long ? is_long : is_long ? farthest(*tour) < farthest(best) : tour->length_m > best.length_m)
+      best = *tour;
   }
   if (best.points.size() < 2) throw CityError("the city has no two places to walk between: nothing to measure");
   best.length_m = std::min(best.length_m, kWalk_m);

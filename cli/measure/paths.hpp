@@ -13,8 +13,9 @@ namespace vicus::measure {
 inline constexpr double kWalk_m = 400, kFly_m = 3000, kFlyUp_m = 150, kFlyDown_deg = 30, kOverviewDown_deg = 45;
 inline constexpr double kFlySpeed_m_s = 30;
 
-/// A shortest walk (sectorgen/sectors/tours) between places that `seed` draws from the middle of the city, over a
-/// square where there is one: the first that is kWalk_m long, else the longest of those tried.
+/// A tour (sectorgen/sectors/tours) of streets that `seed` draws from the middle of the city, over a
+/// square where there is one: of those tried that are kWalk_m long the one that stays nearest to the middle, else the
+/// longest.
 /// Fails   CityError: the city has no two places to walk between.
 Tour walk_tour(const Guide& guide, const City& city, std::uint64_t seed);
 /// Looks the way the tour goes, level.   Needs   0 <= along_m <= length_m (assert).

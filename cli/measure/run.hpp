@@ -23,7 +23,7 @@ struct RunOptions {
   unsigned threads = 0;
   std::uint64_t seed = 1;
   std::string version, city_name;
-  std::size_t switches = 4;  ///< of a path and representation at which popping is looked at
+  std::size_t switches = 2;  ///< of a path and representation at which popping is looked at
   std::size_t pictures = 2;  ///< of each path that are kept
 };
 

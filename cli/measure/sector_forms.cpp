@@ -174,7 +174,11 @@ class GatePictures : public SectorForm {
     }
     auto& list = pictures_[sector_id];
     for (const Gate* gate : city_.index().gates_of(sector_id))
-      if (auto picture = bake_impostor(ground_, *whole_, *gate, {})) list.push_back(std::move(*picture));
+      if (gate->to_sector_id.empty()) {  // an end of the city: nothing shuts it here
+        continue;
+      } else if (auto picture = bake_impostor(ground_, *whole_, *gate, {})) {
+        list.push_back(std::move(*picture));
+      }
     return list;
   }
   CityGround ground_;
@@ -187,6 +191,7 @@ class GatePictures : public SectorForm {
 std::shared_ptr<const Tracer> truth_of(const SharedCity& city) {
   CityMeshOptions options;
   options.is_as_sent = false;
+  options.has_city_ends = false;
   RenderMesh mesh = city_mesh(city.index(), city.images(), options);
   city.add_sheet(mesh);
   return std::make_shared<MeshTracer>(std::move(mesh));

@@ -6,7 +6,8 @@
 /// from the air those of all sectors.
 namespace vicus::measure {
 
-/// What all pictures are held against: every facade in level 4, whatever the files' byte budget.
+/// What all pictures are held against: every facade in level 4, whatever the files' byte
+/// budget; nothing shuts the gates at the city's end.
 std::shared_ptr<const Tracer> truth_of(const SharedCity& city);
 
 /// Every near file of the city at once, facades in the finest level that each has.
@@ -17,7 +18,8 @@ Form far_files(SharedCity& city);
 /// As the page has it (docs/visitor.md): near here and behind the gates, far what else is seen, tall what is seen over
 /// roofs alone; facades by distance (docs/houses.md), at `range_share` times the distances.
 Form page_files(SharedCity& city, double range_share);
-/// The visitor's own sector, and pictures in its gates (docs/impostors.md) in place of all that lies beyond.
+/// The visitor's own sector, and pictures in its gates (docs/impostors.md) in place of all that lies beyond
+/// those that lead on.
 Form gate_pictures(SharedCity& city);
 
 }  // namespace vicus::measure

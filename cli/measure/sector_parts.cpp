@@ -62,7 +62,7 @@ std::vector<SentFile> stored_files(SharedCity& city, const SectorPart& part) {
 }
 
 PartsScene scene_of(const SharedCity& city, const std::vector<SectorPart>& parts, RenderMesh more) {
-  RenderMesh mesh = parts_mesh(city.index(), city.images(), parts);
+  RenderMesh mesh = parts_mesh(city.index(), city.images(), parts, false);
   const auto points = static_cast<std::uint32_t>(mesh.points.size()),
              images = static_cast<std::uint32_t>(mesh.images.size()),
              places = static_cast<std::uint32_t>(mesh.places.size());

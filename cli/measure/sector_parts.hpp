@@ -17,7 +17,8 @@ std::vector<SentFile> stored_files(SharedCity& city, const SectorPart& part);
 /// Ids of the images that a near file names, sorted.
 std::vector<std::string> images_of(const SharedCity& city, const Sector& sector, int level);
 
-/// The meshes of some parts on the sheet, and what a graphics card holds for them.
+/// The meshes of some parts on the sheet, without the shut gates at the city's end, and what a graphics card holds for
+/// them.
 struct PartsScene {
   std::shared_ptr<const Tracer> tracer;
   double memory_bytes = 0;

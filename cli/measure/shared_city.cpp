@@ -11,7 +11,7 @@
 namespace vicus::measure {
 namespace {
 
-constexpr double kBelow_m = 0.05;
+constexpr double kBelow_m = 3;  // water lies lower than the streets
 
 }  // namespace
 

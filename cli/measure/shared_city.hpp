@@ -31,8 +31,8 @@ class SharedCity {
   /// Sectors of L_1 (paper 004 §5.1) of a sector and why, its own first; without lists of visible sectors those behind
   /// its gates.
   std::vector<std::pair<const Sector*, VisibleReason>> seen_from(const std::string& sector_id) const;
-  /// The ground that nobody sends: a plain sheet 5 cm below the terrain under all of the city. Every representation
-  /// stands on it.
+  /// The ground that nobody sends: a plain sheet 3 m below the terrain under all of the city, seen beyond its edge.
+  /// Every representation stands on it.
   void add_sheet(RenderMesh& mesh) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "city_db/colour.hpp"
+#include "sectorgen/bake/picture/filter.hpp"
 
 namespace vicus {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using Triple = std::array<double, 3>;
 using Plane = PixelGrid<double>;
 using Planes = std::array<Plane, 3>;
-using Kernel = std::vector<double>;  // odd length, middle first in meaning
 
 constexpr double kColourPower = 0.7, kKnee = 0.4, kKneeValue = 0.95, kFeaturePower = 0.5, kEdgeWidth_deg = 0.082;
 
@@ -81,26 +81,6 @@ double colour_error(const Triple& a, const Triple& b) {
   const double error = std::pow(hyab(a, b), kColourPower), knee = kKnee * kMost;
   if (error < knee) return kKneeValue / knee * error;
   return kKneeValue + (error - knee) / (kMost - knee) * (1 - kKneeValue);
-}
-
-/// Rows by `across`, columns by `down`; borders repeat. Sums run along whole rows, tap by tap, which compilers widen.
-Plane filtered(const Plane& from, const Kernel& across, const Kernel& down) {
-  const int radius = static_cast<int>(across.size() / 2), width = from.width, height = from.height;
-  const auto add_row = [width](const double* in, double weight, double* out) {
-    for (int x = 0; x < width; ++x) out[x] += weight * in[x];
-  };
-  Plane rows(width, height), out(width, height);
-  std::vector<double> wide(static_cast<std::size_t>(width + 2 * radius));
-  for (int y = 0; y < height; ++y) {
-    for (int x = -radius; x < width + radius; ++x)
-      wide[static_cast<std::size_t>(x + radius)] = from.at(std::clamp(x, 0, width - 1), y);
-    for (int k = 0; k <= 2 * radius; ++k)
-      add_row(&wide[static_cast<std::size_t>(k)], across[static_cast<std::size_t>(k)], &rows.at(0, y));
-  }
-  for (int y = 0; y < height; ++y)
-    for (int k = -radius; k <= radius; ++k)
-      add_row(&rows.at(0, std::clamp(y + k, 0, height - 1)), down[static_cast<std::size_t>(k + radius)], &out.at(0, y));
-  return out;
 }
 
 template <class Value>
