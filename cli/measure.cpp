@@ -96,7 +96,7 @@ void measure(const Arguments& a, Context& context) {
   options.city_name = name != city.city().meta.end() && !name->second.empty() ? name->second : a.city.stem().string();
   fs::create_directories(a.out / "pictures");
   say(context, "the truth at " + std::to_string(a.views) + " key views");
-  const Course course(city, options);
+  Course course(city, options);
   const auto keep = [&](const KeptPicture& p) {
     write_file(a.out / picture_path(p.path, p.view, p.family, p.setting),
                encode_webp(rgb_of(p.picture), kPictureQuality));

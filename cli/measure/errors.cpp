@@ -49,7 +49,8 @@ Crop crop_of(const Coverage& a, const Coverage& b) {
   return out;
 }
 
-ViewErrors errors_of(const View& truth, const View& shown, const PixelGrid<std::uint8_t>& standing) {
+ViewErrors errors_of(const View& truth, const FlipReference& flip_reference, const View& shown,
+                     const PixelGrid<std::uint8_t>& standing) {
   ViewErrors out;
   const ErrorSummary depth = projected_depth_error_px(truth.depth, shown.depth);
   out.depth_mean_px = depth.mean, out.depth_p99_px = depth.p99, out.depth_max_px = depth.max;
@@ -61,7 +62,7 @@ ViewErrors errors_of(const View& truth, const View& shown, const PixelGrid<std::
                 b = crop(shown.colour, c.column, c.row, c.width, c.height);
   out.psnr_db = std::min(kMostPsnr_db, psnr_db(a, b));
   out.ssim = ssim(a, b);
-  const auto map = flip_map(truth.colour, shown.colour);
+  const auto map = flip_reference.map(shown.colour);
   const ErrorSummary flip = summary_of(map.pixels);
   out.flip = flip.mean, out.flip_p99 = flip.p99;
   double sum = 0, count = 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include "city_db/terrain.hpp"
 #include "cli/measure/pose.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
 #include "sectorgen/bake/render/render.hpp"
 
 /// How far a picture is from the truth, by every measure of docs/speed-against-error.md.
@@ -18,8 +19,9 @@ struct ViewErrors {
 PixelGrid<std::uint8_t> standing(const View& truth, const Camera& camera, const Terrain& terrain);
 inline constexpr double kStanding_m = 1;
 
-/// Needs   equal sizes of at least 11 x 11 pixels (assert).
-ViewErrors errors_of(const View& truth, const View& shown, const PixelGrid<std::uint8_t>& standing);
+/// `flip`: of truth.colour.   Needs   equal sizes of at least 11 x 11 pixels (assert).
+ViewErrors errors_of(const View& truth, const FlipReference& flip, const View& shown,
+                     const PixelGrid<std::uint8_t>& standing);
 
 /// The smallest rectangle that holds all that is not sky in either picture, 11 x 11 pixels at least.
 struct Crop {

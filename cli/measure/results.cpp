@@ -66,8 +66,10 @@ std::string written(const std::vector<Row>& rows, const std::string& last_column
   std::string out;
   const auto line = [&](const Row& row, bool is_head) {
     std::string text;
+    bool is_first = true;
     each_field(row, [&](const char* name, const auto& value) {
-      text += (text.empty() ? "" : ",") + (is_head ? std::string(name) : text_of(value));
+      text += (is_first ? "" : ",") + (is_head ? std::string(name) : text_of(value));
+      is_first = false;
     });
     if (!last_column.empty()) text += "," + (is_head ? last_column : "");
     out += text + "\n";

@@ -63,14 +63,16 @@ void Course::add_views(Way& way, std::size_t count) {
   std::vector<std::set<std::size_t>> seen;
   for (const PictureSize& size : options_.sizes) seen.push_back(spread(places.size(), size.views));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    KeyView view{way.at(places[i]), static_cast<int>(i), kept.contains(i), {}, {}, {}};
+    KeyView view{way.at(places[i]), static_cast<int>(i), kept.contains(i), {}, {}, {}, {}};
     for (std::size_t s = 0; s < options_.sizes.size(); ++s) {
       const PictureSize& size = options_.sizes[s];
       view.cameras.push_back(camera_of(view.pose, size));
       view.truth.emplace_back();
+      view.flip.emplace_back();
       view.standing.emplace_back();
       if (!seen[s].contains(i)) continue;
       view.truth.back() = look(*truth_, view.cameras.back(), size);
+      view.flip.back().emplace(view.truth.back().colour);
       view.standing.back() = standing(view.truth.back(), view.cameras.back(), city_.city().terrain);
     }
     way.views.push_back(std::move(view));
@@ -85,7 +87,9 @@ void Course::keep_truth(const std::function<void(const KeptPicture&)>& keep) con
         keep({name_of(way.path), "truth", {}, view.number, view.truth.front().colour});
 }
 
-void Course::run(Representation& form, Measured& out, const std::function<void(const KeptPicture&)>& keep) const {
+void Course::run(Representation& form, Measured& out, const std::function<void(const KeptPicture&)>& keep) {
+  if (form.name().family != family_) drawn_.clear();
+  family_ = form.name().family;
   for (const Way& way : ways_)
     if (form.shows(way.path)) measure_way(form, way, out, keep);
 }
@@ -111,7 +115,7 @@ std::vector<Parts> Course::walk(Representation& form, const Way& way, const Pict
 }
 
 void Course::measure_way(Representation& form, const Way& way, Measured& out,
-                         const std::function<void(const KeptPicture&)>& keep) const {
+                         const std::function<void(const KeptPicture&)>& keep) {
   const FormName& name = form.name();
   std::vector<Switch> switches;
   for (std::size_t s = 0; s < options_.sizes.size(); ++s) {
@@ -136,16 +140,29 @@ void Course::measure_way(Representation& form, const Way& way, Measured& out,
         ++row.new_requests;
       }
       row.memory_bytes = shown.memory_bytes;
-      const double start = cpu_ms();
-      const View picture = look(*shown.tracer, view.cameras[s], size);
-      out.times.push_back({name.family, name.setting, row.path, row.view, size.width, size.height, shown.decode_cpu_ms,
-                           cpu_ms() - start});
-      row.errors = errors_of(view.truth[s], picture, view.standing[s]);
-      if (s == 0 && view.is_kept) keep({row.path, name.family, name.setting, view.number, picture.colour});
+      const Drawn& seen = drawn(view, s, chosen[v], shown, way.path);
+      out.times.push_back(
+          {name.family, name.setting, row.path, row.view, size.width, size.height, shown.decode_cpu_ms, seen.cpu_ms});
+      row.errors = seen.errors;
+      if (!seen.picture.pixels.empty()) keep({row.path, name.family, name.setting, view.number, seen.picture});
       out.views.push_back(std::move(row));
     }
   }
   measure_pops(form, way, switches, out);
+}
+
+const Course::Drawn& Course::drawn(const KeyView& view, std::size_t size, const Parts& parts, const Shown& shown,
+                                   Path path) {
+  std::string key = std::string(name_of(path)) + " " + std::to_string(view.number) + " " + std::to_string(size);
+  for (const std::string& part : parts) key += "\n" + part;
+  const auto [at, is_new] = drawn_.emplace(std::move(key), Drawn{});
+  if (!is_new) return at->second;
+  const double start = cpu_ms();
+  View picture = look(*shown.tracer, view.cameras[size], options_.sizes[size]);
+  at->second.cpu_ms = cpu_ms() - start;
+  at->second.errors = errors_of(view.truth[size], *view.flip[size], picture, view.standing[size]);
+  if (size == 0 && view.is_kept) at->second.picture = std::move(picture.colour);
+  return at->second;
 }
 
 void Course::measure_pops(Representation& form, const Way& way, const std::vector<Switch>& switches,

@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "cli/measure/representation.hpp"
 #include "cli/measure/results.hpp"
 #include "cli/measure/shared_city.hpp"
+#include "sectorgen/bake/picture/flip.hpp"
 
 /// The measurement itself: every representation along every path, against the truth.
 namespace vicus::measure {
@@ -42,10 +45,13 @@ struct Measured {
 /// Key views and what is true there, made once for all representations.
 class Course {
  public:
+  Course(const Course&) = delete;
+  Course& operator=(const Course&) = delete;
   Course(SharedCity& city, const RunOptions& options);
 
   /// Adds the rows of one representation; `keep` gets the pictures that a reader may see.
-  void run(Representation& form, Measured& out, const std::function<void(const KeptPicture&)>& keep) const;
+  /// What a family has shown already, with the same parts, is not drawn again.
+  void run(Representation& form, Measured& out, const std::function<void(const KeptPicture&)>& keep);
   /// Pictures of the truth, kept as well.
   void keep_truth(const std::function<void(const KeptPicture&)>& keep) const;
 
@@ -59,6 +65,7 @@ class Course {
     bool is_kept = false;
     std::vector<Camera> cameras;  ///< by size
     std::vector<View> truth;      ///< by size; without pixels: not looked at in this size
+    std::vector<std::optional<FlipReference>> flip;
     std::vector<PixelGrid<std::uint8_t>> standing;
   };
   struct Way {
@@ -66,6 +73,11 @@ class Course {
     double length_m = 0, step_m = 0, frame_m = 0;
     std::function<Pose(double)> at;
     std::vector<KeyView> views;
+  };
+  struct Drawn {
+    ViewErrors errors;
+    double cpu_ms = 0;
+    Picture picture;  ///< where it is kept
   };
   struct Switch {
     double along_m;
@@ -78,7 +90,8 @@ class Course {
   std::vector<Parts> walk(Representation& form, const Way& way, const PictureSize& size,
                           std::vector<Switch>& switches) const;
   void measure_way(Representation& form, const Way& way, Measured& out,
-                   const std::function<void(const KeptPicture&)>& keep) const;
+                   const std::function<void(const KeptPicture&)>& keep);
+  const Drawn& drawn(const KeyView& view, std::size_t size, const Parts& parts, const Shown& shown, Path path);
   void measure_pops(Representation& form, const Way& way, const std::vector<Switch>& switches, Measured& out) const;
 
   SharedCity& city_;
@@ -87,6 +100,8 @@ class Course {
   FlyPath fly_;
   std::shared_ptr<const Tracer> truth_;
   std::vector<Way> ways_;
+  std::string family_;  ///< whose pictures these are
+  std::map<std::string, Drawn> drawn_;
 };
 
 /// Pixels a radian in the middle of a picture of this height.

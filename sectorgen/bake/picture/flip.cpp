@@ -121,7 +121,7 @@ Plane seen(const Plane& channel, const Sensitivity& s, double pixels_per_degree)
   return out;
 }
 
-struct Seen {
+struct Sight {
   PixelGrid<Triple> lab;  // after the eye
   Plane edges, points;    // strength of features
 };
@@ -135,7 +135,7 @@ Kernel balanced(Kernel derivative, const Kernel& gaussian) {
   return derivative;
 }
 
-Seen look_at(const Picture& picture, double pixels_per_degree) {
+Sight look_at(const Picture& picture, double pixels_per_degree) {
   Planes channels;
   for (Plane& plane : channels) plane = Plane(picture.width, picture.height);
   Plane grey(picture.width, picture.height);
@@ -146,7 +146,7 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
     grey.pixels[i] = (v[0] + 16) / 116;
   }
   for (std::size_t k = 0; k < 3; ++k) channels[k] = seen(channels[k], kSensitivities[k], pixels_per_degree);
-  Seen out;
+  Sight out;
   out.lab = PixelGrid<Triple>(picture.width, picture.height);
   for (std::size_t i = 0; i < out.lab.pixels.size(); ++i) {
     Triple rgb = rgb_from_opponent({channels[0].pixels[i], channels[1].pixels[i], channels[2].pixels[i]});
@@ -172,10 +172,19 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
 
 }  // namespace
 
-PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
-  assert(reference.width == test.width && reference.height == test.height);
-  const Seen a = look_at(reference, pixels_per_degree), b = look_at(test, pixels_per_degree);
-  PixelGrid<float> out(reference.width, reference.height);
+struct FlipReference::Seen {
+  Sight sight;
+};
+
+FlipReference::FlipReference(const Picture& reference, double pixels_per_degree)
+    : seen_(std::make_shared<Seen>(Seen{look_at(reference, pixels_per_degree)})),
+      pixels_per_degree_(pixels_per_degree) {}
+
+PixelGrid<float> FlipReference::map(const Picture& test) const {
+  const Sight& a = seen_->sight;
+  assert(a.lab.width == test.width && a.lab.height == test.height);
+  const Sight b = look_at(test, pixels_per_degree_);
+  PixelGrid<float> out(test.width, test.height);
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     const double feature =
         std::max(std::abs(a.edges.pixels[i] - b.edges.pixels[i]), std::abs(a.points.pixels[i] - b.points.pixels[i]));
@@ -183,6 +192,11 @@ PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double 
     out.pixels[i] = static_cast<float>(std::pow(colour_error(a.lab.pixels[i], b.lab.pixels[i]), exponent));
   }
   return out;
+}
+
+PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
+  assert(reference.width == test.width && reference.height == test.height);
+  return FlipReference(reference, pixels_per_degree).map(test);
 }
 
 double flip_mean(const Picture& reference, const Picture& test, double pixels_per_degree) {

@@ -42,12 +42,14 @@ class Renderer {
            down_ * y;
   }
 
-  Rgba sample(const Vec3& way) const {
+  /// `first`: t of the first thing met.
+  Rgba sample(const Vec3& way, std::optional<double>& first) const {
     Rgba sum{};
     double near = options_.near_m;
     for (int layer = 0; layer < kMostLayers && sum[3] < 0.999f; ++layer) {
       const auto met = tracer_.meet(camera_.eye, {way, across_, down_}, near);
       if (!met) break;
+      if (layer == 0) first = met->t;
       const float rest = 1 - sum[3];
       for (std::size_t k = 0; k < 4; ++k) sum[k] += rest * met->shown[k];
       near = met->t * (1 + 1e-6) + 1e-6;
@@ -58,10 +60,13 @@ class Renderer {
   void draw(int column, int row) {
     std::array<double, 4> sum{};
     std::array<double, 3> sky{};
+    std::optional<double> middle;  // t at the pixel's middle
     for (int j = 0; j < side_; ++j)
       for (int i = 0; i < side_; ++i) {
         const Vec3 ray = way(column * side_ + i + 0.5, row * side_ + j + 0.5);
-        const Rgba seen = sample(ray);
+        std::optional<double> first;
+        const Rgba seen = sample(ray, first);
+        if (2 * i + 1 == side_ && 2 * j + 1 == side_) middle = first;
         for (std::size_t k = 0; k < 4; ++k) sum[k] += seen[k];
         if (seen[3] >= 0.999f) continue;
         const Rgb behind = sky_colour(ray);
@@ -73,8 +78,9 @@ class Renderer {
       view_.cut_out.at(column, row)[k] = sum[3] > 0 ? static_cast<float>(sum[k] / sum[3]) : 0;
     }
     view_.cut_out.at(column, row)[3] = view_.coverage.at(column, row) = static_cast<float>(opacity);
-    const auto t = tracer_.distance(camera_.eye, way((column + 0.5) * side_, (row + 0.5) * side_), options_.near_m);
-    view_.depth.at(column, row) = t ? static_cast<float>(*t) : std::numeric_limits<float>::infinity();
+    if (side_ % 2 == 0)  // else a sample was there
+      middle = tracer_.distance(camera_.eye, way((column + 0.5) * side_, (row + 0.5) * side_), options_.near_m);
+    view_.depth.at(column, row) = middle ? static_cast<float>(*middle) : std::numeric_limits<float>::infinity();
   }
 
   const Tracer& tracer_;
