@@ -9,10 +9,10 @@
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
-#include "cli/measure/codecs.hpp"
-#include "cli/measure/forms.hpp"
-#include "cli/measure/report.hpp"
-#include "cli/measure/run.hpp"
+#include "cli/measure_codecs.hpp"
+#include "cli/measure_forms.hpp"
+#include "cli/measure_report.hpp"
+#include "cli/measure_run.hpp"
 #include "sectorgen/bake/webp_image.hpp"
 
 namespace vicus::cli {
