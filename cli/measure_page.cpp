@@ -4,6 +4,7 @@
 #include <set>
 
 #include "cli/measure_page_parts.hpp"
+#include "cli/measure_page_tables.hpp"
 #include "cli/measure_pareto.hpp"
 #include "cli/measure_plots.hpp"
 #include "cli/measure_report.hpp"
@@ -28,8 +29,8 @@ class Page {
     for (const char* path : {"walk", "fly", "overview"})
       if (!of_path(all_, path).empty()) add_path(path);
     add_codecs();
-    add_pops();
-    add_sizes();
+    out_ += pops_section(all_);
+    out_ += sizes_section(results_);
     add_method();
     out_ += "</main>\n</body>\n</html>\n";
     return std::move(out_);
@@ -39,8 +40,6 @@ class Page {
   static std::string title_of(const std::string& path) {
     return path == "walk" ? "On foot" : path == "fly" ? "In flight" : "From far above";
   }
-
-  void paragraph(const std::string& text) { out_ += "<p>" + text + "</p>\n"; }
 
   void add_head() {
     const RunFacts& f = results_.facts;
@@ -78,7 +77,7 @@ class Page {
                  "On one machine's CPU, by rays, so that all ways are drawn alike; a graphics card will order them "
                  "differently.");
     }
-    add_table(rows);
+    out_ += measures_table(rows);
     out_ += "</section>\n";
   }
 
@@ -93,16 +92,16 @@ class Page {
     const auto front = pareto_front(points);
     if (front.empty()) return;
     const Summary &cheapest = rows[front.front()], &best = rows[front.back()];
-    paragraph("The smallest, <b>" + escaped(cheapest.full()) + "</b>, takes " + bytes_text(cheapest.bytes) +
-              " a view and is " + number_text(cheapest.errors.flip, 3) +
-              " from the truth in mean FLIP (0: the same, 1: as different as can be). The nearest, <b>" +
-              escaped(best.full()) + "</b>, takes " + bytes_text(best.bytes) + " for " +
-              number_text(best.errors.flip, 3) + ". " + std::to_string(front.size()) + " of the " +
-              std::to_string(rows.size()) + " ways measured " +
-              (path == "walk"  ? "on foot"
-               : path == "fly" ? "in flight"
-                               : "here") +
-              " are beaten by no other.");
+    out_ += paragraph("The smallest, <b>" + escaped(cheapest.full()) + "</b>, takes " + bytes_text(cheapest.bytes) +
+                      " a view and is " + number_text(cheapest.errors.flip, 3) +
+                      " from the truth in mean FLIP (0: the same, 1: as different as can be). The nearest, <b>" +
+                      escaped(best.full()) + "</b>, takes " + bytes_text(best.bytes) + " for " +
+                      number_text(best.errors.flip, 3) + ". " + std::to_string(front.size()) + " of the " +
+                      std::to_string(rows.size()) + " ways measured " +
+                      (path == "walk"  ? "on foot"
+                       : path == "fly" ? "in flight"
+                                       : "here") +
+                      " are beaten by no other.");
     out_ +=
         "<table class=\"budget\"><caption>What to take, by the bytes that a view may "
         "cost</caption><thead><tr><th>Budget</th><th>Take</th><th>Bytes</th><th>FLIP</th><th>Requests</th></tr></"
@@ -177,61 +176,13 @@ class Page {
     std::map<std::string, std::vector<CostError>> sweeps;
     for (const Summary& s : rows) sweeps[s.family].emplace_back(s.bytes, s.errors.flip);
     std::erase_if(sweeps, [](const auto& sweep) { return sweep.second.size() < 2; });
-    add_equal_table("Bytes of a view at equal FLIP", sweeps, {std::begin(kFlips), std::end(kFlips)});
-  }
-
-  void add_equal_table(const std::string& caption, const std::map<std::string, std::vector<CostError>>& sweeps,
-                       const std::vector<double>& flips) {
-    std::string body;
-    std::set<double> used;
-    for (const auto& [name, sweep] : sweeps)
-      for (const double flip : flips)
-        if (cost_at(sweep, flip)) used.insert(-flip);
-    if (used.empty()) return;
-    out_ +=
-        "<div class=\"wide\"><table class=\"equal\"><caption>" + caption +
-        " (between measured settings; empty: not reached, or better at every setting)</caption><thead><tr><th></th>";
-    for (const double flip : used) out_ += "<th>" + number_text(-flip, 3) + "</th>";
-    out_ += "</tr></thead><tbody>\n";
-    for (const auto& [name, sweep] : sweeps) {
-      out_ += "<tr><td>" + escaped(name) + "</td>";
-      for (const double flip : used) {
-        const auto cost = cost_at(sweep, -flip);
-        out_ += "<td>" + (cost ? bytes_text(*cost) : "") + "</td>";
-      }
-      out_ += "</tr>\n";
-    }
-    out_ += "</tbody></table></div>\n";
-  }
-
-  void add_table(std::vector<Summary> rows) {
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Summary& a, const Summary& b) { return a.errors.flip < b.errors.flip; });
-    out_ +=
-        "<details><summary>Every way and every measure, nearest to the truth first</summary><div "
-        "class=\"wide\"><table><thead><tr><th>Way</th><th>Bytes</th><th>Requests</th><th>Whole path</th><th>Memory</th>"
-        "<th>FLIP</th><th>p99</th><th>of houses</th><th>SSIM</th><th>PSNR dB</th><th>Silhouette IoU</th><th>Skyline "
-        "px</th><th>Geometry mean px</th><th>p99</th><th>max</th><th>Decode ms</th><th>Draw ms</th><th>GPU "
-        "ms</th></tr></thead><tbody>\n";
-    for (const Summary& s : rows) {
-      const ViewErrors& e = s.errors;
-      out_ += "<tr><td>" + escaped(s.full()) + "</td>";
-      for (const std::string& cell :
-           {bytes_text(s.bytes), number_text(s.requests, 0), bytes_text(s.path_bytes), bytes_text(s.memory_bytes),
-            number_text(e.flip, 4), number_text(e.flip_p99, 2), number_text(e.flip_houses, 3), number_text(e.ssim, 3),
-            number_text(e.psnr_db, 1), number_text(e.silhouette_iou, 4), number_text(e.skyline_mean_px, 2),
-            number_text(e.depth_mean_px, 3), number_text(e.depth_p99_px, 2), number_text(e.depth_max_px, 1),
-            number_text(s.decode_cpu_ms, 1), number_text(s.draw_cpu_ms, 0), std::string()})
-        out_ += "<td>" + cell + "</td>";
-      out_ += "</tr>\n";
-    }
-    out_ += "</tbody></table></div></details>\n";
+    out_ += equal_table("Bytes of a view at equal FLIP", sweeps, {std::begin(kFlips), std::end(kFlips)});
   }
 
   void add_codecs() {
     if (results_.codecs.empty()) return;
     out_ += "<section><h2>Codecs at equal FLIP</h2>\n";
-    paragraph(
+    out_ += paragraph(
         "A codec's own quality number says nothing about another's. So each codes the same content over all of its "
         "range, is shown, and what it shows is held against the same content not coded. Bytes are then compared where "
         "the error is the same.");
@@ -246,63 +197,9 @@ class Page {
                                "bytes without images."
                              : "The tiles of three places of the flight; bytes of planes and pictures.");
       std::erase_if(sweeps, [](const auto& sweep) { return sweep.second.size() < 2; });
-      add_equal_table("Bytes at equal FLIP: " + content, sweeps, {std::begin(kCodecFlips), std::end(kCodecFlips)});
+      out_ += equal_table("Bytes at equal FLIP: " + content, sweeps, {std::begin(kCodecFlips), std::end(kCodecFlips)});
     }
     out_ += "</section>\n";
-  }
-
-  void add_pops() {
-    std::vector<const Summary*> rows;
-    for (const Summary& s : all_)
-      if (s.pops > 0) rows.push_back(&s);
-    if (rows.empty()) return;
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Summary* a, const Summary* b) { return a->pop_mean < b->pop_mean; });
-    out_ += "<section><h2>Popping</h2>\n";
-    paragraph(
-        "Where a way changes what it shows, the last frame before is held against the first after. The visitor moved "
-        "as well, so the truth's own change between the two frames is taken off: what is left is the pop.");
-    out_ +=
-        "<div class=\"wide\"><table><thead><tr><th>Way</th><th>Path</th><th>Changes on it</th><th>Looked "
-        "at</th><th>Pop, mean</th><th>largest</th></tr></thead><tbody>\n";
-    for (const Summary* s : rows)
-      out_ += "<tr><td>" + escaped(s->full()) + "</td><td>" + s->path + "</td><td>" + std::to_string(s->switches) +
-              "</td><td>" + std::to_string(s->pops) + "</td><td>" + number_text(s->pop_mean, 4) + "</td><td>" +
-              number_text(s->pop_most, 4) + "</td></tr>\n";
-    out_ += "</tbody></table></div></section>\n";
-  }
-
-  /// The same ways in every size of pictures.
-  void add_sizes() {
-    std::map<std::string, std::map<std::pair<int, int>, const Summary*>> by_form;
-    std::set<std::pair<int, int>> sizes;
-    for (const Summary& s : all_) {
-      by_form[s.path + ": " + s.full()][{s.width, s.height}] = &s;
-      sizes.insert({s.width, s.height});
-    }
-    if (sizes.size() < 2) return;
-    out_ += "<section><h2>Larger pictures</h2>\n";
-    paragraph(
-        "The same ways at each size, on those views that were looked at in it. Ways with a tolerance in pixels send "
-        "more where there are more pixels.");
-    out_ += "<details><summary>All ways by size</summary><div class=\"wide\"><table><thead><tr><th></th>";
-    for (const auto& [w, h] : sizes)
-      out_ +=
-          "<th>" + std::to_string(w) + " x " + std::to_string(h) + ": bytes</th><th>FLIP</th><th>geometry p99 px</th>";
-    out_ += "</tr></thead><tbody>\n";
-    for (const auto& [name, by_size] : by_form) {
-      out_ += "<tr><td>" + escaped(name) + "</td>";
-      for (const auto& size : sizes) {
-        const auto at = by_size.find(size);
-        if (at == by_size.end())
-          out_ += "<td></td><td></td><td></td>";
-        else
-          out_ += "<td>" + bytes_text(at->second->bytes) + "</td><td>" + number_text(at->second->errors.flip, 4) +
-                  "</td><td>" + number_text(at->second->errors.depth_p99_px, 2) + "</td>";
-      }
-      out_ += "</tr>\n";
-    }
-    out_ += "</tbody></table></div></details></section>\n";
   }
 
   void add_method() {

@@ -47,6 +47,8 @@ std::string fact(const std::string& value, const std::string& what) {
   return "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>";
 }
 
+std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
+
 std::string number_text(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);

@@ -37,11 +37,14 @@ struct Axis {
   std::vector<double> ticks() const {
     std::vector<double> out;
     if (is_log) {
-      const bool is_wide = high / low > 300;
-      for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high; decade *= 10)
-        for (const double k : {1.0, 2.0, 5.0})
-          if ((!is_wide || k == 1) && decade * k >= low * 0.999 && decade * k <= high * 1.001)
-            out.push_back(decade * k);
+      // As many as fit: whole decades, else more within each.
+      for (const std::vector<double>& within : {std::vector<double>{1}, {1, 2, 5}, {1, 1.5, 2, 3, 4, 5, 6, 8}}) {
+        out.clear();
+        for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high; decade *= 10)
+          for (const double k : within)
+            if (decade * k >= low * 0.999 && decade * k <= high * 1.001) out.push_back(decade * k);
+        if (out.size() >= 3) break;
+      }
       return out;
     }
     const double rough = (high - low) / 5, decade = std::pow(10, std::floor(std::log10(rough)));
