@@ -13,6 +13,7 @@
 #include "cli/measure_forms.hpp"
 #include "cli/measure_report.hpp"
 #include "cli/measure_run.hpp"
+#include "cli/write_whole.hpp"
 #include "sectorgen/bake/webp_image.hpp"
 
 namespace vicus::cli {
@@ -46,18 +47,6 @@ PictureSize size_of(const std::string& text) {
         kWrongUsage);
   if (read == 3) size.views = views;
   return size;
-}
-
-void write_file(const fs::path& path, const std::string& bytes) {
-  const fs::path part = path.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << bytes;
-  out.close();
-  std::error_code refused;
-  if (out) fs::rename(part, path, refused);
-  if (out && !refused) return;
-  fs::remove(part, refused);
-  throw CityError("cannot write " + path.string() + ": is the folder there, and may you write to it?");
 }
 
 std::string read_file(const fs::path& path) {
@@ -98,8 +87,8 @@ void measure(const Arguments& a, Context& context) {
   say(context, "the truth at " + std::to_string(a.views) + " key views");
   Course course(city, options);
   const auto keep = [&](const KeptPicture& p) {
-    write_file(a.out / picture_path(p.path, p.view, p.family, p.setting),
-               encode_webp(rgb_of(p.picture), kPictureQuality));
+    write_whole(a.out / picture_path(p.path, p.view, p.family, p.setting),
+                encode_webp(rgb_of(p.picture), kPictureQuality));
   };
   course.keep_truth(keep);
   Measured measured;
@@ -108,15 +97,15 @@ void measure(const Arguments& a, Context& context) {
     say(context, form->name().full());
     course.run(*form, measured, keep);
   }
-  write_file(a.out / "views.csv", csv_of(measured.views));
-  write_file(a.out / "times.csv", csv_of(measured.times));
-  write_file(a.out / "pops.csv", csv_of(measured.pops));
+  write_whole(a.out / "views.csv", csv_of(measured.views));
+  write_whole(a.out / "times.csv", csv_of(measured.times));
+  write_whole(a.out / "pops.csv", csv_of(measured.pops));
   std::vector<CodecRow> codecs;
   if (a.has_codecs) {
     say(context, "codecs at equal FLIP");
     codecs = compare_codecs(city, course, options);
   }
-  write_file(a.out / "codecs.csv", csv_of(codecs));
+  write_whole(a.out / "codecs.csv", csv_of(codecs));
   RunFacts facts = facts_of_machine();
   facts.city = options.city_name;
   facts.version = options.version;
@@ -127,7 +116,7 @@ void measure(const Arguments& a, Context& context) {
   facts.walk_name = course.tour().name;
   facts.walk_m = course.tour().length_m;
   facts.fly_radius_m = course.fly_radius_m();
-  write_file(a.out / "run.json", json_of(facts));
+  write_whole(a.out / "run.json", json_of(facts));
 }
 
 void report(const Arguments& a, Context& context) {
@@ -144,8 +133,8 @@ void report(const Arguments& a, Context& context) {
     return bytes.str();
   };
   fs::create_directories(a.out / "plots");
-  for (const auto& [path, svg] : plots_of(results)) write_file(a.out / path, svg);
-  write_file(a.out / "index.html", page_of(results, picture));
+  for (const auto& [path, svg] : plots_of(results)) write_whole(a.out / path, svg);
+  write_whole(a.out / "index.html", page_of(results, picture));
   const fs::path page = a.out / "index.html";
   std::set<std::string> forms;
   for (const ViewRow& row : results.views) forms.insert(row.family + row.setting);
