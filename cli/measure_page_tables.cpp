@@ -6,6 +6,11 @@
 #include "cli/measure_page_parts.hpp"
 
 namespace vicus::measure {
+namespace {
+
+constexpr double kSeen = 0.0005;  // less is rounding
+
+}  // namespace
 
 std::string equal_table(const std::string& caption, const std::map<std::string, std::vector<CostError>>& sweeps,
                         const std::vector<double>& flips) {
@@ -62,7 +67,7 @@ std::string pops_section(const std::vector<Summary>& all) {
     if (s.pops > 0) rows.push_back(&s);
   if (rows.empty()) return out;
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const Summary* a, const Summary* b) { return a->pop_mean < b->pop_mean; });
+                   [](const Summary* a, const Summary* b) { return a->pop_mean > b->pop_mean; });
   out += "<section><h2>Popping</h2>\n";
   out += paragraph(
       "Where a way changes what it shows, the last frame before is held against the first after. The visitor moved "
@@ -70,10 +75,19 @@ std::string pops_section(const std::vector<Summary>& all) {
   out +=
       "<div class=\"wide\"><table><thead><tr><th>Way</th><th>Path</th><th>Changes on it</th><th>Looked "
       "at</th><th>Pop, mean</th><th>largest</th></tr></thead><tbody>\n";
-  for (const Summary* s : rows)
+  std::size_t unseen = 0;
+  for (const Summary* s : rows) {
+    if (s->pop_most < kSeen) {
+      ++unseen;
+      continue;
+    }
     out += "<tr><td>" + escaped(s->full()) + "</td><td>" + s->path + "</td><td>" + std::to_string(s->switches) +
            "</td><td>" + std::to_string(s->pops) + "</td><td>" + number_text(s->pop_mean, 4) + "</td><td>" +
            number_text(s->pop_most, 4) + "</td></tr>\n";
+  }
+  if (unseen > 0)
+    out += "<tr><td>" + std::to_string(unseen) +
+           " others</td><td></td><td></td><td></td><td>none seen</td><td></td></tr>\n";
   return out + "</tbody></table></div></section>\n";
 }
 

@@ -14,7 +14,7 @@ std::string equal_table(const std::string& caption, const std::map<std::string, 
                         const std::vector<double>& flips);
 /// Every measure of every way, nearest to the truth first, folded.
 std::string measures_table(std::vector<Summary> rows);
-/// What is seen where something changes, smallest first.
+/// What is seen where something changes, largest first; where nothing is seen, how many.
 std::string pops_section(const std::vector<Summary>& all);
 /// The same ways in every size of pictures, over the views that were looked at in all sizes.
 std::string sizes_section(const Results& results);

@@ -166,8 +166,7 @@ class Drawing {
   }
 
   void add_series(const PlotSeries& s) {
-    auto points = s.points;
-    std::stable_sort(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+    const auto& points = s.points;
     if (points.size() > 1) {
       out_ +=
           "<polyline fill=\"none\" stroke=\"" + s.colour + "\" stroke-width=\"1.6\" stroke-opacity=\".8\" points=\"";

@@ -10,7 +10,7 @@ struct PlotPoint {
   std::string said;  ///< shown when the mouse rests on it
 };
 
-/// Points joined by a line in the order of x.
+/// Points joined by a line in their order: a sweep of one setting.
 struct PlotSeries {
   std::string name;
   std::string colour;  ///< "#rrggbb", to be told from black and white alike
