@@ -68,6 +68,26 @@ void say(const Context& context, const std::string& text) {
   if (!context.quiet && isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "measure: %s\n", text.c_str());
 }
 
+void write_rows(const fs::path& folder, const Measured& measured) {
+  write_whole(folder / "views.csv", csv_of(measured.views));
+  write_whole(folder / "times.csv", csv_of(measured.times));
+  write_whole(folder / "pops.csv", csv_of(measured.pops));
+}
+
+RunFacts facts_of(const RunOptions& options, const City& city, const Course& course) {
+  RunFacts facts = facts_of_machine();
+  facts.city = options.city_name;
+  facts.version = options.version;
+  facts.seed = options.seed;
+  facts.samples = options.samples;
+  facts.houses = city.buildings.size();
+  facts.sectors = city.sectors.size();
+  facts.walk_name = course.tour().name;
+  facts.walk_m = course.tour().length_m;
+  facts.fly_radius_m = course.fly_radius_m();
+  return facts;
+}
+
 void measure(const Arguments& a, Context& context) {
   constexpr int kPictureQuality = 82;
   RunOptions options;
@@ -91,32 +111,22 @@ void measure(const Arguments& a, Context& context) {
                 encode_webp(rgb_of(p.picture), kPictureQuality));
   };
   course.keep_truth(keep);
+  write_whole(a.out / "run.json", json_of(facts_of(options, city.city(), course)));
+  write_whole(a.out / "codecs.csv", csv_of(std::vector<CodecRow>()));
   Measured measured;
   for (const FormMaker& maker : makers) {
     const Form form = maker.make(city);
     say(context, form->name().full());
     course.run(*form, measured, keep);
+    write_rows(a.out, measured);  // who stops a long run keeps what is there, and --redraw shows it
   }
-  write_whole(a.out / "views.csv", csv_of(measured.views));
-  write_whole(a.out / "times.csv", csv_of(measured.times));
-  write_whole(a.out / "pops.csv", csv_of(measured.pops));
   std::vector<CodecRow> codecs;
   if (a.has_codecs) {
     say(context, "codecs at equal FLIP");
     codecs = compare_codecs(city, course, options);
   }
   write_whole(a.out / "codecs.csv", csv_of(codecs));
-  RunFacts facts = facts_of_machine();
-  facts.city = options.city_name;
-  facts.version = options.version;
-  facts.seed = options.seed;
-  facts.samples = options.samples;
-  facts.houses = city.city().buildings.size();
-  facts.sectors = city.city().sectors.size();
-  facts.walk_name = course.tour().name;
-  facts.walk_m = course.tour().length_m;
-  facts.fly_radius_m = course.fly_radius_m();
-  write_whole(a.out / "run.json", json_of(facts));
+  write_whole(a.out / "run.json", json_of(facts_of(options, city.city(), course)));  // the load when it ended
 }
 
 void report(const Arguments& a, Context& context) {
