@@ -18,7 +18,7 @@ build_packages=(
   libimagequant-dev libpng-dev                      # palettes of textures, reading them again
   libopenimageio-dev                                # photos of facades
   libwebp-dev                                       # pictures of BlockMaps
-  libdraco-dev libtinygltf-dev libstb-dev           # glTF
+  libdraco-dev libmeshoptimizer-dev libtinygltf-dev libstb-dev  # glTF
   libembree-dev                                     # pictures: rays
   libspdlog-dev libcli11-dev nlohmann-json3-dev
   nodejs npm                                        # fetches X_ITE

@@ -16,35 +16,57 @@ namespace {
 
 constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255};
 
+Vec3 middle_of(const CityIndex& index, const std::set<std::string>& wanted) {
+  PlanBox box;
+  for (const Sector& s : index.city().sectors)
+    if (wanted.empty() || wanted.contains(s.id))
+      for (const PlanPoint& p : s.ground.outer) box.add(p);
+  if (box.is_empty()) return {};
+  return {metres((std::int64_t{box.min.x} + box.max.x) / 2), metres((std::int64_t{box.min.y} + box.max.y) / 2), 0};
+}
+
 class CityMeshBuilder {
  public:
-  CityMeshBuilder(const CityIndex& index, const ImageSource& image, const CityMeshOptions& options)
-      : index_(index), image_(image), options_(options) {}
+  CityMeshBuilder(const CityIndex& index, const ReadyImages& image, const CityMeshOptions& options)
+      : index_(index), image_(image), options_(options) {
+    mesh_.origin = middle_of(index, options.sectors);
+  }
 
-  RenderMesh run() {
-    PlanBox box;
+  RenderMesh whole() {
     for (const Sector& s : index_.city().sectors)
-      if (is_wanted(s))
-        for (const PlanPoint& p : s.ground.outer) box.add(p);
-    if (!box.is_empty())
-      mesh_.origin = {metres((std::int64_t{box.min.x} + box.max.x) / 2),
-                      metres((std::int64_t{box.min.y} + box.max.y) / 2), 0};
-    for (const Sector& s : index_.city().sectors)
-      if (is_wanted(s)) add_sector(s);
+      if (options_.sectors.empty() || options_.sectors.contains(s.id)) {
+        add_body(s, Detail::near);
+        const int level = options_.is_as_sent ? std::min(options_.level, finest_level(index_, s)) : options_.level;
+        add_facades(sector_facades(index_, s, level));
+      }
+    return std::move(mesh_);
+  }
+
+  RenderMesh of(const std::vector<SectorPart>& parts) {
+    for (const SectorPart& part : parts) {
+      add_body(*part.sector, part.detail);
+      if (part.detail != Detail::near) continue;
+      const int finest = finest_level(index_, *part.sector);
+      const auto pieces = sector_pieces(index_, *part.sector);
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const int level = i < part.levels.size() ? part.levels[i] : part.level;
+        add_facades(pieces[i].levels[std::min(level, finest) - 1]);
+      }
+    }
     return std::move(mesh_);
   }
 
  private:
-  bool is_wanted(const Sector& s) const { return options_.sectors.empty() || options_.sectors.contains(s.id); }
-
-  void add_sector(const Sector& s) {
+  void add_body(const Sector& s, Detail detail) {
     sector_ = &s;
-    for (const Layer& layer : sector_layers(index_, s, Detail::near))
+    for (const Layer& layer : sector_layers(index_, s, detail))
       if (layer.shading != Shading::backdrop || options_.has_city_ends)
         for (const Face& face : layer.faces) add(face, layer.shading, kBlack);
+    if (detail != Detail::near) return;
     for (const Face& face : object_faces(index_, s)) add(face, Shading::solid, kBlack);
-    const int level = options_.is_as_sent ? std::min(options_.level, finest_level(index_, s)) : options_.level;
-    const LevelFaces facades = sector_facades(index_, s, level);
+  }
+
+  void add_facades(const LevelFaces& facades) {
     for (const Face& face : facades.solid) add(face, Shading::solid, kWhite);
     for (const TexturedFace& face : facades.atlas) add(face, index_.city().meta.at("atlas"));
     for (const auto& [id, face] : facades.own_images) add(face, id);
@@ -92,13 +114,13 @@ class CityMeshBuilder {
 
   std::uint32_t number_of(const std::string& image) {
     const auto [at, is_new] = images_.emplace(image, static_cast<std::uint32_t>(mesh_.images.size()));
-    if (is_new) mesh_.images.emplace_back(read_png(image_(image)));
+    if (is_new) mesh_.images.push_back(image_(image));
     return at->second;
   }
 
   const CityIndex& index_;
-  const ImageSource& image_;
-  const CityMeshOptions& options_;
+  const ReadyImages image_;
+  const CityMeshOptions options_;
   const Sector* sector_ = nullptr;
   RenderMesh mesh_;
   std::map<std::string, std::uint32_t> images_;
@@ -107,8 +129,28 @@ class CityMeshBuilder {
 }  // namespace
 
 RenderMesh city_mesh(const CityIndex& index, const ImageSource& image, const CityMeshOptions& options) {
+  return city_mesh(index, cached(image), options);
+}
+
+RenderMesh city_mesh(const CityIndex& index, const ReadyImages& images, const CityMeshOptions& options) {
   assert(options.level >= 1 && options.level <= 4);
-  return CityMeshBuilder(index, image, options).run();
+  return CityMeshBuilder(index, images, options).whole();
+}
+
+RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
+                      bool has_city_ends) {
+  CityMeshOptions options;
+  options.has_city_ends = has_city_ends;
+  return CityMeshBuilder(index, images, options).of(parts);
+}
+
+ReadyImages cached(ImageSource image) {
+  using Known = std::map<std::string, std::shared_ptr<const RepeatedImage>>;
+  return [image = std::move(image), known = std::make_shared<Known>()](const std::string& id) {
+    auto& made = (*known)[id];
+    if (!made) made = std::make_shared<RepeatedImage>(read_png(image(id)));
+    return made;
+  };
 }
 
 ImageSource textures_of(const City& city) {

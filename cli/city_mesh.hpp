@@ -1,10 +1,14 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "sectorgen/bake/render/render_mesh.hpp"
 #include "x3d_export/city_index.hpp"
 #include "x3d_export/glb.hpp"
+#include "x3d_export/sector_mesh.hpp"
 
 /// A city as triangles for pictures: the faces that x3d_export writes into near sector files, placed in the plan frame.
 namespace vicus {
@@ -22,6 +26,23 @@ struct CityMeshOptions {
 /// Needs   level is 1 ... 4 (assert).
 /// Fails   CityError: an image is missing or no PNG.
 RenderMesh city_mesh(const CityIndex& index, const ImageSource& image, const CityMeshOptions& options);
+
+/// Images ready for rays, by texture id: made once where several meshes share them.
+using ReadyImages = std::function<std::shared_ptr<const RepeatedImage>(const std::string& id)>;
+ReadyImages cached(ImageSource image);
+RenderMesh city_mesh(const CityIndex& index, const ReadyImages& images, const CityMeshOptions& options);
+
+/// One file of a sector.
+struct SectorPart {
+  const Sector* sector = nullptr;
+  Detail detail = Detail::near;
+  int level = 4;                 ///< near: of every facade that `levels` does not tell
+  std::vector<int> levels = {};  ///< near: by sector_pieces, 1 ... 4
+};
+/// Some files of a city, as sent: a sector whose file leaves level 4 out comes in level 3.
+/// Frame   origin in the middle of all the city's ground, whatever the parts.   Fails   as above.
+RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
+                      bool has_city_ends = true);
 
 /// An image source that takes what city.textures holds.   Needs   `city` outlives it.
 ImageSource textures_of(const City& city);

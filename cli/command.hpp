@@ -22,6 +22,7 @@ void add_info(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
+void add_measure(CLI::App& app, Context& context);
 void add_tour(CLI::App& app, Context& context);
 void add_town(CLI::App& app, Context& context);
 

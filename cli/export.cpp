@@ -31,6 +31,7 @@ struct Arguments {
   fs::path city, out, x_ite;
   std::string format, start, lvis;
   bool has_labels = false, keeps_triangles = false;
+  GlbOptions glb;
   std::vector<double> box_m;  ///< west, south, east, north
 };
 
@@ -113,7 +114,7 @@ void write_textures(const City& city, const fs::path& city_file, const fs::path&
 
 /// Sectors as binary glTF; as 3D Tiles with their far files and the tree over all.
 void write_glb(const CityIndex& index, const fs::path& city_file, const fs::path& folder, bool is_tileset,
-               Written& written) {
+               const GlbOptions& options, Written& written) {
   const CityReader reader(city_file);
   std::map<std::string, std::string> images;
   const auto image = [&](const std::string& id) {
@@ -122,8 +123,9 @@ void write_glb(const CityIndex& index, const fs::path& city_file, const fs::path
   };
   for (const auto& sector : index.city().sectors) {
     const std::string stem = "sectors/" + sector.id;
-    write_file(folder / (stem + ".glb"), sector_glb(index, sector, Detail::near, image), written);
-    if (is_tileset) write_file(folder / (stem + ".far.glb"), sector_glb(index, sector, Detail::far, image), written);
+    write_file(folder / (stem + ".glb"), sector_glb(index, sector, Detail::near, image, options), written);
+    if (is_tileset)
+      write_file(folder / (stem + ".far.glb"), sector_glb(index, sector, Detail::far, image, options), written);
   }
   if (is_tileset) write_file(folder / "tileset.json", tileset_json(index), written);
 }
@@ -176,7 +178,7 @@ Written write_folder(const CityIndex& index, const Arguments& arguments) {
     if (arguments.format == "site") {
       write_site(index, arguments, fresh, written);
     } else if (arguments.format == "glb" || arguments.format == "3dtiles") {
-      write_glb(index, arguments.city, fresh, arguments.format == "3dtiles", written);
+      write_glb(index, arguments.city, fresh, arguments.format == "3dtiles", arguments.glb, written);
     } else {
       const auto format = arguments.format == "x3d"    ? SceneFormat::x3d
                           : arguments.format == "vrml" ? SceneFormat::vrml
@@ -291,11 +293,19 @@ void add_export(CLI::App& app, Context& context) {
       ->add_option("--format", arguments->format,
                    "svg: a map; x3d, vrml, x3dj: a folder, open city.* in it; site: a folder for a web server; "
                    "portals: convex cells and portals (PRT1) for other visibility programs, with OUT.json beside; "
-                   "obj, cityjson: houses as closed solids; glb: a folder of sectors as binary glTF (Draco); 3dtiles: "
+                   "obj, cityjson: houses as closed solids; glb: a folder of sectors as binary glTF; 3dtiles: "
                    "the same as a tree for CesiumJS, tileset.json")
       ->required()
       ->check(CLI::IsMember(kFormats));
   command->add_option("-o,--output", arguments->out, "file or folder; else named after the city, here");
+  command
+      ->add_option_function<std::string>(
+          "--coding",
+          [arguments](const std::string& name) {
+            arguments->glb.coding = name == "meshopt" ? GlbCoding::meshopt : GlbCoding::draco;
+          },
+          "glb, 3dtiles: draco (exact, smaller), meshopt (read faster)")
+      ->check(CLI::IsMember({"draco", "meshopt"}));
   command->add_flag("--labels", arguments->has_labels, "svg: ids and names of sectors");
   command->add_option("--lvis", arguments->lvis, "svg: a sector's id; shows what it sees, and why");
   command->add_flag("--triangles", arguments->keeps_triangles, "portals: keep triangles, do not join them");

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   add_serve(app, context);
   add_export(app, context);
   add_render(app, context);
+  add_measure(app, context);
   add_tour(app, context);
   add_town(app, context);
   try {

@@ -1,12 +1,12 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "city_db/store.hpp"
 #include "city_db/surroundings.hpp"
 #include "cli/city_mesh.hpp"
 #include "cli/command.hpp"
+#include "cli/write_whole.hpp"
 #include "sectorgen/bake/picture/png.hpp"
 #include "sectorgen/bake/render/render.hpp"
 
@@ -57,19 +57,6 @@ CityMeshOptions mesh_options(const std::string& as) {
   options.is_as_sent = as != "truth";
   if (options.is_as_sent) options.level = as.back() - '0';
   return options;
-}
-
-/// Whole or not at all.
-void write_whole(const fs::path& path, const std::string& bytes) {
-  const fs::path part = path.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(part, path, error);
-  if (out && !error) return;
-  fs::remove(part, error);
-  throw CityError("cannot write " + path.string() + ": is the disk full, or the folder not ours to write?");
 }
 
 void render_city(const Arguments& arguments, Context& context) {

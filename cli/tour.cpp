@@ -1,11 +1,11 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "city_db/issues.hpp"
 #include "cli/command.hpp"
+#include "cli/write_whole.hpp"
 #include "sectorgen/sectors/tours/guide.hpp"
 #include "x3d_export/tour_json.hpp"
 #include "x3d_export/tour_scene.hpp"
@@ -41,22 +41,6 @@ std::string text_from(const std::vector<TourProposal>& proposals) {
     for (const auto& stop : p.stops) text += "  " + stop.name + "\n";
   }
   return text;
-}
-
-/// Beside its place first, then renamed: it appears whole.
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-  auto fresh = path;
-  fresh += ".tmp";
-  std::ofstream out(fresh, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code refused;
-  if (out) std::filesystem::rename(fresh, path, refused);
-  if (!out || refused) {
-    std::error_code ignored;
-    std::filesystem::remove(fresh, ignored);
-    throw CityError("cannot write " + path.string() + ": is the folder there, and may you write to it?");
-  }
 }
 
 void show_tour(const Arguments& arguments, Context& context) {

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "city_db/issues.hpp"
+#include "x3d_export/face_points.hpp"
 
 namespace vicus {
 namespace {
@@ -19,18 +20,6 @@ using Attribute = draco::GeometryAttribute;
 
 Vec3 metres_of(const X3dPoint& p) {
   return {static_cast<float>(metres(p.x)), static_cast<float>(metres(p.y)), static_cast<float>(metres(p.z))};
-}
-
-Vec3 normal_of(const X3dPoint& a, const X3dPoint& b, const X3dPoint& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, length = std::hypot(x, y, z);
-  if (length == 0) return {0, 1, 0};
-  return {static_cast<float>(x / length), static_cast<float>(y / length), static_cast<float>(z / length)};
-}
-
-/// glTF's colours of vertices are linear.
-std::uint8_t linear(std::uint8_t channel) {
-  return static_cast<std::uint8_t>(std::lround(255 * linear_of_srgb(channel / 255.0)));
 }
 
 /// A fan of triangles over faces of 3 or 4 corners; `extra` gives each corner's colour or place.
@@ -45,9 +34,7 @@ class Builder {
 
   template <class Extra>
   void add(const std::array<X3dPoint, 4>& corners, int count, const std::array<Extra, 4>& extras) {
-    // A quad's first three corners may lie on one line; some three do not.
-    Vec3 normal = normal_of(corners[0], corners[1], corners[2]);
-    if (count == 4 && corners[0] == corners[1]) normal = normal_of(corners[0], corners[2], corners[3]);
+    const Vec3 normal = face_normal(corners, count);
     for (std::size_t k = 2; k < static_cast<std::size_t>(count); ++k) {
       const draco::FaceIndex face(faces_++);
       const std::array<std::size_t, 3> at{0, k - 1, k};
@@ -62,7 +49,7 @@ class Builder {
     }
   }
 
-  DracoMesh coded(const LatticeBox& lattice) {
+  DracoMesh coded(const LatticeBox& lattice, std::uint32_t step_mm) {
     const std::unique_ptr<draco::Mesh> mesh = builder_.Finalize();
     if (!mesh) throw CityError("a mesh could not be made for Draco: out of memory");
     constexpr int kNormalBits = 8, kPlaceBits = 16, kSpeed = 3;
@@ -72,9 +59,9 @@ class Builder {
     encoder.SetTrackEncodedProperties(true);
     const auto extent = static_cast<unsigned>(
         std::max({lattice.max.x - lattice.min.x, lattice.max.y - lattice.min.y, lattice.max.z - lattice.min.z, 1}));
-    const int bits = std::bit_width(extent);
+    const int bits = std::bit_width((extent + step_mm - 1) / step_mm);
     const Vec3 origin = metres_of(lattice.min);
-    const auto range = static_cast<float>(((1u << bits) - 1u) / kMmPerMetre);  // one step, one millimetre
+    const auto range = static_cast<float>(((1u << bits) - 1u) * step_mm / kMmPerMetre);
     encoder.SetAttributeExplicitQuantization(Attribute::POSITION, bits, 3, origin.data(), range);
     encoder.SetAttributeQuantization(Attribute::NORMAL, kNormalBits);
     encoder.SetAttributeQuantization(Attribute::TEX_COORD, kPlaceBits);
@@ -104,29 +91,24 @@ void LatticeBox::add(const X3dPoint& p) {
   max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
 }
 
-DracoMesh draco_mesh(std::span<const Face> faces, const LatticeBox& lattice) {
-  assert(!faces.empty());
+DracoMesh draco_mesh(std::span<const Face> faces, const LatticeBox& lattice, std::uint32_t step_mm) {
+  assert(!faces.empty() && step_mm > 0);
   int triangles = 0;
   for (const Face& face : faces) triangles += face.count - 2;
   Builder builder(triangles, Attribute::COLOR, 4, draco::DT_UINT8);
   for (const Face& face : faces) {
     using Rgba = std::array<std::uint8_t, 4>;
-    const Rgba rgba{linear(face.colour.r), linear(face.colour.g), linear(face.colour.b), 255};
+    const Rgba rgba = linear_rgba(face.colour);
     builder.add(face.corners, face.count, std::array<Rgba, 4>{rgba, rgba, rgba, rgba});
   }
-  return builder.coded(lattice);
+  return builder.coded(lattice, step_mm);
 }
 
-DracoMesh draco_mesh(std::span<const TexturedFace> faces, const LatticeBox& lattice) {
-  assert(!faces.empty());
+DracoMesh draco_mesh(std::span<const TexturedFace> faces, const LatticeBox& lattice, std::uint32_t step_mm) {
+  assert(!faces.empty() && step_mm > 0);
   Builder builder(static_cast<int>(2 * faces.size()), Attribute::TEX_COORD, 2, draco::DT_FLOAT32);
-  for (const TexturedFace& face : faces) {
-    std::array<std::array<float, 2>, 4> places;
-    for (std::size_t k = 0; k < 4; ++k)
-      places[k] = {static_cast<float>(face.uv[k][0]), static_cast<float>(1 - face.uv[k][1])};
-    builder.add(face.corners, 4, places);
-  }
-  return builder.coded(lattice);
+  for (const TexturedFace& face : faces) builder.add(face.corners, 4, gltf_places(face));
+  return builder.coded(lattice, step_mm);
 }
 
 }  // namespace vicus

@@ -25,9 +25,10 @@ struct DracoMesh {
 };
 
 /// Triangles with flat normals and colours (linear, RGBA of 8 bits).
-/// Needs   !faces.empty(), all corners in `lattice` (assert).
-DracoMesh draco_mesh(std::span<const Face> faces, const LatticeBox& lattice);
+/// Error   half of `step_mm` in each coordinate; none at 1.
+/// Needs   !faces.empty(), all corners in `lattice`, step_mm > 0 (assert).
+DracoMesh draco_mesh(std::span<const Face> faces, const LatticeBox& lattice, std::uint32_t step_mm = 1);
 /// Triangles with flat normals and places in an image (16 bits; glTF's run from the top).
-DracoMesh draco_mesh(std::span<const TexturedFace> faces, const LatticeBox& lattice);
+DracoMesh draco_mesh(std::span<const TexturedFace> faces, const LatticeBox& lattice, std::uint32_t step_mm = 1);
 
 }  // namespace vicus

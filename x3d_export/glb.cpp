@@ -7,6 +7,7 @@
 
 #include "x3d_export/draco_mesh.hpp"
 #include "x3d_export/house_nodes.hpp"
+#include "x3d_export/meshopt_mesh.hpp"
 #include "x3d_export/object_nodes.hpp"
 #include "x3d_export/text.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kUnsignedByte = 5121, kUnsignedInt = 5125, kFloat = 5126, kRepeat = 10497;
+constexpr int kByte = 5120, kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126,
+              kRepeat = 10497;
 constexpr int kImageLevel = 3;
 
 /// What one file is made of: faces by colour, one list for each side that is seen, and faces by image.
@@ -61,36 +63,42 @@ Content content_of(const CityIndex& index, const Sector& sector, Detail detail) 
 /// The JSON and the one buffer of a GLB under way.
 class GlbWriter {
  public:
-  explicit GlbWriter(const LatticeBox& lattice) : lattice_(lattice) {}
+  GlbWriter(const LatticeBox& lattice, const GlbOptions& options) : lattice_(lattice), options_(options) {
+    if (options.coding == GlbCoding::meshopt && !lattice.is_empty())
+      options_.step_mm = meshopt_step_mm(lattice, options.step_mm);
+  }
 
   void add_solid(std::span<const Face> faces, Json material) {
-    if (faces.empty()) return;
-    const DracoMesh mesh = draco_mesh(faces, lattice_);
-    const int colours = accessor(kUnsignedByte, "VEC4", mesh.points);
-    accessors_.back()["normalized"] = true;
-    add_primitive(mesh, "COLOR_0", colours, std::move(material));
+    if (!faces.empty()) add_primitive(faces, "COLOR_0", std::move(material));
   }
 
   void add_textured(std::span<const TexturedFace> faces, const std::string& png) {
-    const DracoMesh mesh = draco_mesh(faces, lattice_);
-    const int places = accessor(kFloat, "VEC2", mesh.points);
     images_.push_back({{"bufferView", add_bytes(png)}, {"mimeType", "image/png"}});
     textures_.push_back({{"sampler", 0}, {"source", images_.size() - 1}});
-    Json material{
-        {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", textures_.size() - 1}}}, {"metallicFactor", 0}}}};
-    add_primitive(mesh, "TEXCOORD_0", places, std::move(material));
+    add_primitive(
+        faces, "TEXCOORD_0",
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", textures_.size() - 1}}}, {"metallicFactor", 0}}}});
   }
 
   std::string file(Json asset, Json node) {
     Json gltf{{"asset", std::move(asset)}};
     if (!primitives_.empty()) {
-      gltf["extensionsUsed"] = gltf["extensionsRequired"] = Json::array({"KHR_draco_mesh_compression"});
+      gltf["extensionsUsed"] = gltf["extensionsRequired"] =
+          is_draco() ? Json::array({"KHR_draco_mesh_compression"})
+                     : Json::array({"EXT_meshopt_compression", "KHR_mesh_quantization"});
       if (is_unlit_) gltf["extensionsUsed"].push_back("KHR_materials_unlit");
       gltf["meshes"] = Json::array({{{"primitives", primitives_}}});
       gltf["accessors"] = accessors_;
       gltf["materials"] = materials_;
       gltf["bufferViews"] = views_;
       gltf["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+      if (!is_draco()) {
+        gltf["buffers"].push_back(
+            {{"byteLength", plain_bytes_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+        const double step = metres(options_.step_mm);
+        node["translation"] = values_of(lattice_.min);
+        node["scale"] = {step, step, step};
+      }
       node["mesh"] = 0;
     }
     if (!images_.empty()) {
@@ -136,25 +144,78 @@ class GlbWriter {
     return static_cast<int>(accessors_.size()) - 1;
   }
 
-  void add_primitive(const DracoMesh& mesh, const char* extra, int extra_accessor, Json material) {
-    const auto values = [](const X3dPoint& p) { return Json::array({metres(p.x), metres(p.y), metres(p.z)}); };
+  bool is_draco() const { return options_.coding == GlbCoding::draco; }
+  static Json values_of(const X3dPoint& p) { return Json::array({metres(p.x), metres(p.y), metres(p.z)}); }
+
+  /// `extra`: the attribute beside position and normal.
+  template <class AnyFace>
+  void add_primitive(std::span<const AnyFace> faces, const char* extra, Json material) {
+    is_unlit_ = is_unlit_ || material.contains("extensions");
+    Json primitive = is_draco() ? draco_primitive(draco_mesh(faces, lattice_, options_.step_mm), extra)
+                                : meshopt_primitive(meshopt_mesh(faces, lattice_, options_.step_mm), extra);
+    materials_.push_back(std::move(material));
+    primitive["material"] = materials_.size() - 1;
+    primitives_.push_back(std::move(primitive));
+  }
+
+  int extra_accessor(const char* extra, std::size_t points) {
+    if (extra == std::string_view("TEXCOORD_0")) return accessor(kFloat, "VEC2", points);
+    const int colours = accessor(kUnsignedByte, "VEC4", points);
+    accessors_.back()["normalized"] = true;
+    return colours;
+  }
+
+  Json draco_primitive(const DracoMesh& mesh, const char* extra) {
+    const int more = extra_accessor(extra, mesh.points);
     const int position = accessor(kFloat, "VEC3", mesh.points);
-    accessors_.back()["min"] = values(mesh.box.min);
-    accessors_.back()["max"] = values(mesh.box.max);
+    accessors_.back()["min"] = values_of(mesh.box.min);
+    accessors_.back()["max"] = values_of(mesh.box.max);
     const int normal = accessor(kFloat, "VEC3", mesh.points);
     const int indices = accessor(kUnsignedInt, "SCALAR", 3 * std::size_t{mesh.triangles});
-    is_unlit_ = is_unlit_ || material.contains("extensions");
-    materials_.push_back(std::move(material));
     const Json draco{
         {"bufferView", add_bytes(mesh.bytes)},
         {"attributes", {{"POSITION", mesh.position_id}, {"NORMAL", mesh.normal_id}, {extra, mesh.extra_id}}}};
-    primitives_.push_back({{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {extra, extra_accessor}}},
-                           {"indices", indices},
-                           {"material", materials_.size() - 1},
-                           {"extensions", {{"KHR_draco_mesh_compression", draco}}}});
+    return {{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {extra, more}}},
+            {"indices", indices},
+            {"extensions", {{"KHR_draco_mesh_compression", draco}}}};
+  }
+
+  Json meshopt_primitive(const MeshoptMesh& mesh, const char* extra) {
+    const int more = extra_accessor(extra, mesh.points);
+    accessors_.back()["bufferView"] = add_stream(mesh.extras, mesh.points, mesh.extra_stride, "ATTRIBUTES");
+    const int position = accessor(kUnsignedShort, "VEC3", mesh.points);
+    accessors_.back()["min"] = mesh.least;
+    accessors_.back()["max"] = mesh.most;
+    accessors_.back()["bufferView"] = add_stream(mesh.positions, mesh.points, 8, "ATTRIBUTES");
+    const int normal = accessor(kByte, "VEC3", mesh.points);
+    accessors_.back()["normalized"] = true;
+    accessors_.back()["bufferView"] = add_stream(mesh.normals, mesh.points, 4, "ATTRIBUTES");
+    const std::size_t corners = 3 * std::size_t{mesh.triangles};
+    const int indices = accessor(kUnsignedInt, "SCALAR", corners);
+    accessors_.back()["bufferView"] = add_stream(mesh.indices, corners, 4, "TRIANGLES");
+    return {{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {extra, more}}}, {"indices", indices}};
+  }
+
+  /// A view of the second buffer, which no reader of the extension needs, with its coded bytes in the first.
+  int add_stream(const std::string& bytes, std::size_t count, std::uint32_t stride, const char* mode) {
+    const std::size_t at = buffer_.size();
+    buffer_ += bytes;
+    buffer_.append((4 - buffer_.size() % 4) % 4, '\0');
+    const Json coded{{"buffer", 0},          {"byteOffset", at}, {"byteLength", bytes.size()},
+                     {"byteStride", stride}, {"mode", mode},     {"count", count}};
+    Json view{{"buffer", 1}, {"byteOffset", plain_bytes_}, {"byteLength", count * stride}};
+    const bool is_index = mode == std::string_view("TRIANGLES");
+    if (!is_index) view["byteStride"] = stride;
+    view["target"] = is_index ? 34963 : 34962;
+    view["extensions"] = {{"EXT_meshopt_compression", coded}};
+    views_.push_back(std::move(view));
+    plain_bytes_ += (count * stride + 3) / 4 * 4;
+    return static_cast<int>(views_.size()) - 1;
   }
 
   LatticeBox lattice_;
+  GlbOptions options_;
+  std::size_t plain_bytes_ = 0;
   std::string buffer_;
   Json primitives_ = Json::array(), accessors_ = Json::array(), materials_ = Json::array(), views_ = Json::array(),
        images_ = Json::array(), textures_ = Json::array();
@@ -182,15 +243,16 @@ Json node_of(const CityIndex& index, const Sector& sector) {
 
 }  // namespace
 
-std::string sector_glb(const CityIndex& index, const Sector& sector, Detail detail, const ImageSource& image) {
+std::string sector_glb(const CityIndex& index, const Sector& sector, Detail detail, const ImageSource& image,
+                       const GlbOptions& options) {
   const Content content = content_of(index, sector, detail);
-  GlbWriter writer(content.box());
+  GlbWriter writer(content.box(), options);
   const Json matt{{"metallicFactor", 0}};
   writer.add_solid(content.solid, {{"pbrMetallicRoughness", matt}});
   writer.add_solid(content.two_sided, {{"pbrMetallicRoughness", matt}, {"doubleSided", true}});
   writer.add_solid(content.backdrop,
                    {{"pbrMetallicRoughness", matt}, {"extensions", {{"KHR_materials_unlit", Json::object()}}}});
-  for (const auto& [id, faces] : content.by_image) writer.add_textured(faces, image(id));
+  for (const auto& [id, faces] : content.by_image) writer.add_textured(std::span<const TexturedFace>(faces), image(id));
   return writer.file(asset_of(index), node_of(index, sector));
 }
 

@@ -39,12 +39,6 @@ std::map<std::string, Share> shares_of(const CityIndex& index, const Sector& sec
   return shares;
 }
 
-/// The levels of one LOD node, and what its middle is taken from.
-struct Piece {
-  LevelFaces levels[4];
-  PlanBox box;
-};
-
 Node level_node(const LevelFaces& faces, const std::string& atlas) {
   Node group("Group");
   if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid));
@@ -55,10 +49,13 @@ Node level_node(const LevelFaces& faces, const std::string& atlas) {
   return group;
 }
 
-Node lod_node(const Piece& piece, double ground_m, PlanPoint origin, const std::string& atlas, int finest) {
-  const PlanPoint middle{piece.box.min.x + (piece.box.max.x - piece.box.min.x) / 2,
-                         piece.box.min.y + (piece.box.max.y - piece.box.min.y) / 2};
-  const X3dPoint centre = x3d_from_plan(middle, height_mm(ground_m + kCentre_m), origin);
+X3dPoint centre_of(const PlanBox& box, double ground_m, PlanPoint origin) {
+  const PlanPoint middle{box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+  return x3d_from_plan(middle, height_mm(ground_m + kCentre_m), origin);
+}
+
+Node lod_node(const LevelPiece& piece, const std::string& atlas, int finest) {
+  const X3dPoint& centre = piece.centre;
   Node lod("LOD");
   lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
   lod.set("range", std::vector<double>(std::begin(kLevelRanges_m) + (4 - finest), std::end(kLevelRanges_m)));
@@ -74,24 +71,27 @@ std::vector<Face> chimneys_of(const Share& share, const Facade& first, PlanPoint
   return chimneys.take();
 }
 
-std::vector<Piece> pieces_of(const Share& share, PlanPoint origin) {
+std::vector<LevelPiece> pieces_of(const Share& share, PlanPoint origin) {
   std::vector<Facade> parts;
   for (const Facade* facade : share.facades)
     for (Facade& part : split_facade(*facade, kMostOpenings)) parts.push_back(std::move(part));
   const auto chimneys = chimneys_of(share, parts.front(), origin);
   std::size_t taken = 2 * chimneys.size();
-  std::vector<Piece> pieces(1);
+  std::vector<LevelPiece> pieces(1);
+  PlanBox box;
   int openings = 0;
   for (const Facade& part : parts) {
     const int count = part.floors * part.bays * part.repeats;
     if (openings > 0 && openings + count > kMostOpenings) {
       pieces.emplace_back();
+      box = {};
       openings = 0;
     }
     openings += count;
     add_facade(part, share.house->wall_colour, share.house->ground_m, origin, taken, pieces.back().levels);
-    pieces.back().box.add(part.a);
-    pieces.back().box.add(part.b);
+    box.add(part.a);
+    box.add(part.b);
+    pieces.back().centre = centre_of(box, share.house->ground_m, origin);
     taken = 0;
   }
   for (int level = 2; level < 4; ++level) {
@@ -116,31 +116,42 @@ LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sec
   return stretches;
 }
 
+std::vector<LevelPiece> sector_pieces(const CityIndex& index, const Sector& sector) {
+  std::vector<LevelPiece> all;
+  for (const auto& [id, share] : shares_of(index, sector))
+    for (LevelPiece& piece : pieces_of(share, sector.origin)) all.push_back(std::move(piece));
+  return all;
+}
+
+int level_at(double distance_m, int finest) {
+  int level = 4;
+  for (const double range : kLevelRanges_m) level -= distance_m >= range ? 1 : 0;
+  return std::min(level, finest);
+}
+
 LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int level) {
   assert(level >= 1 && level <= 4);
   LevelFaces all;
   const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  for (const auto& [id, share] : shares_of(index, sector))
-    for (const Piece& piece : pieces_of(share, sector.origin)) {
-      const LevelFaces& faces = piece.levels[level - 1];
-      append(all.solid, faces.solid);
-      append(all.atlas, faces.atlas);
-      append(all.own_images, faces.own_images);
-    }
+  for (const LevelPiece& piece : sector_pieces(index, sector)) {
+    const LevelFaces& faces = piece.levels[level - 1];
+    append(all.solid, faces.solid);
+    append(all.atlas, faces.atlas);
+    append(all.own_images, faces.own_images);
+  }
   return all;
 }
 
-std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format) {
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format, int only_level) {
   std::vector<Node> nodes;
-  const auto shares = shares_of(index, sector);
-  if (shares.empty()) return nodes;
+  const auto pieces = sector_pieces(index, sector);
+  if (pieces.empty()) return nodes;
   const std::string& atlas = index.city().meta.at("atlas");
   const int finest = finest_level(index, sector);
-  for (const auto& [id, share] : shares)
-    for (const Piece& piece : pieces_of(share, sector.origin))
-      nodes.push_back(format == SceneFormat::vrml
-                          ? level_node(piece.levels[1], atlas)
-                          : lod_node(piece, share.house->ground_m, sector.origin, atlas, finest));
+  if (format == SceneFormat::vrml) only_level = 2;
+  for (const LevelPiece& piece : pieces)
+    nodes.push_back(only_level != 0 ? level_node(piece.levels[std::min(only_level, finest) - 1], atlas)
+                                    : lod_node(piece, atlas, finest));
   return nodes;
 }
 

@@ -26,6 +26,16 @@ int finest_level(const CityIndex& index, const Sector& sector);
 using LeveledStretches = std::map<std::pair<PlanPoint, PlanPoint>, double>;
 LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sector);
 
+/// What one LOD node has.
+struct LevelPiece {
+  X3dPoint centre;       ///< distances count from here
+  LevelFaces levels[4];  ///< levels[0] is level 1
+};
+/// In the order of the nodes.   Frame   the sector's own.
+std::vector<LevelPiece> sector_pieces(const CityIndex& index, const Sector& sector);
+/// The level, 1 ... finest, that an LOD node shows at a distance.
+int level_at(double distance_m, int finest);
+
 /// All facades of a sector in one of the levels, 1 ... 4, for formats that choose the level otherwise.
 /// Frame   the sector's own.
 LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int level);
@@ -33,7 +43,8 @@ LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int leve
 /// Frame   the sector's own.   Urls  "../textures/ID.png".
 /// Differs VRML97 gets the second level alone, as Groups: its LOD names the levels `level`, which view3dscene 4.2, the
 ///         independent reader of our files, does not know.
-std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format);
+/// `only_level`: 1 ... 4: Groups of that level in place of LOD nodes.
+std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, SceneFormat format, int only_level = 0);
 
 /// Shape nodes below a node, all levels counted.
 int count_shapes(const Node& node);

@@ -22,6 +22,7 @@ struct SectorParts {
   const Sector& sector;
   Detail detail;
   SceneFormat format;
+  int only_level = 0;
 
   std::string stem() const {
     return sector.id + (detail == Detail::far ? ".far" : detail == Detail::tall ? ".tall" : "");
@@ -164,7 +165,7 @@ std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<La
   for (const Layer& layer : layers)
     for (auto& shape : shapes_of(layer, parts.format, limit)) nodes.push_back(std::move(shape));
   if (parts.detail == Detail::near)
-    for (Node& house : house_nodes(parts.index, parts.sector, parts.format))
+    for (Node& house : house_nodes(parts.index, parts.sector, parts.format, parts.only_level))
       nodes.push_back(sized(std::move(house), parts.format));
   if (parts.detail == Detail::near) {
     auto objects = object_nodes(parts.index, parts.sector, parts.format);
@@ -203,8 +204,8 @@ Node viewpoint_node(const Viewpoint& v, PlanPoint origin, const std::string& pla
 }
 
 std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
-                                     std::size_t limit) {
-  const SectorParts parts{index, sector, detail, format};
+                                     std::size_t limit, int only_level) {
+  const SectorParts parts{index, sector, detail, format, only_level};
   const auto layers = sector_layers(index, sector, detail);
   if (detail == Detail::tall && layers.empty()) return {};
   const std::size_t head = write_scene(main_scene(parts, {}, kMostShapes, {}), format).size();

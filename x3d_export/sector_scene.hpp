@@ -22,8 +22,9 @@ inline constexpr std::size_t kFileLimit_bytes = 100'000;
 /// The main file first, then the parts that it draws in by Inline, where one file would be larger than `limit`.
 /// No file where the detail has nothing to draw (tall).
 /// Each file is smaller than `limit`, but the main one where the record alone is larger.
+/// `only_level`: 1 ... 4: facades in that Urban LOD alone, for comparing levels.
 std::vector<ExportFile> sector_files(const CityIndex& index, const Sector& sector, Detail detail, SceneFormat format,
-                                     std::size_t limit = kFileLimit_bytes);
+                                     std::size_t limit = kFileLimit_bytes, int only_level = 0);
 
 /// A Viewpoint node in the frame of `origin`.
 Node viewpoint_node(const Viewpoint& viewpoint, PlanPoint origin, const std::string& place);

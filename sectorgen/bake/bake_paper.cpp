@@ -294,6 +294,25 @@ BlockMap surface_of(const PaperBlockMap& map) {
   return out;
 }
 
+double paper_sent_bytes(const PaperBlockMap& map) {
+  double sum = 0;
+  const auto part = [&](std::size_t first, std::size_t count, bool alpha, int quality) {
+    RgbImage image(static_cast<std::uint32_t>(count), map.side);
+    for (std::size_t row = 0; row < map.side; ++row)
+      for (std::size_t c = 0; c < count; ++c) {
+        const auto* p = map.texel(first + c, row);
+        image.set(c, row, alpha ? Colour{p[3], p[3], p[3]} : Colour{p[0], p[1], p[2]});
+      }
+    sum += double(encode_webp(image, quality).size());
+  };
+  const bool has_alpha = map.year == PaperYear::y2009;
+  part(0, map.side, false, kLossless);
+  if (has_alpha) part(0, map.side, true, kLossless);
+  part(map.side, map.side + map.columns, false, 80);
+  if (has_alpha) part(map.side, map.side + map.columns, true, 80);
+  return sum;
+}
+
 HitLook look_of(const PaperBlockMap& map, const BlockMap& surface, const PlanRay& ray, const CastHit& hit) {
   const std::size_t column = hit.cell % map.side, row = hit.cell / map.side;
   const std::uint8_t* cell = map.cell(column, row);

@@ -21,6 +21,10 @@ PaperBlockMap bake_paper(const BakeScene& scene, PlanPoint corner, std::uint32_t
 /// corners.
 BlockMap surface_of(const PaperBlockMap& map);
 
+/// Bytes of the texture in parts, each coded as suits it best: geometry without loss, colours and light as WebP of
+/// quality 80.
+double paper_sent_bytes(const PaperBlockMap& map);
+
 /// What a hit on that surface looks like.
 /// 2009: a side is roof where the cell rises less over the one before than 45 degrees (paper 001 §4, "sloped
 /// rooftops").

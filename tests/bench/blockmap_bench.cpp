@@ -213,26 +213,6 @@ Form ours(const BakeScene& scene, const std::vector<PlanPoint>& corners, std::ui
   return form;
 }
 
-/// The texture in parts, each coded as suits it best: geometry without loss, colours and light as WebP of quality 80.
-double paper_bytes(const PaperBlockMap& map) {
-  double sum = 0;
-  const auto part = [&](std::size_t first, std::size_t count, bool alpha, int quality) {
-    RgbImage image(static_cast<std::uint32_t>(count), map.side);
-    for (std::size_t row = 0; row < map.side; ++row)
-      for (std::size_t c = 0; c < count; ++c) {
-        const auto* p = map.texel(first + c, row);
-        image.set(c, row, alpha ? Colour{p[3], p[3], p[3]} : Colour{p[0], p[1], p[2]});
-      }
-    sum += double(encode_webp(image, quality).size());
-  };
-  const bool has_alpha = map.year == PaperYear::y2009;
-  part(0, map.side, false, kLossless);
-  if (has_alpha) part(0, map.side, true, kLossless);
-  part(map.side, map.side + map.columns, false, 80);
-  if (has_alpha) part(map.side, map.side + map.columns, true, 80);
-  return sum;
-}
-
 Form paper(const BakeScene& scene, const std::vector<PlanPoint>& corners, std::uint32_t side_mm, PaperYear year,
            std::uint32_t n, std::uint32_t w) {
   struct Tile {
@@ -245,7 +225,7 @@ Form paper(const BakeScene& scene, const std::vector<PlanPoint>& corners, std::u
   for (const PlanPoint c : corners) {
     PaperBlockMap map = bake_paper(scene, c, side_mm, year, n, w);
     form.raw += double(map.texels.size()) / double(corners.size());
-    form.bytes += paper_bytes(map) / double(corners.size());
+    form.bytes += paper_sent_bytes(map) / double(corners.size());
     BlockMap surface = surface_of(map);
     BlockMapCaster caster(surface);
     tiles->push_back({std::move(map), std::move(surface), std::move(caster)});

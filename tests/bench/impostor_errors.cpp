@@ -18,8 +18,8 @@
 #include "cli/city_mesh.hpp"
 #include "sectorgen/bake/impostors/bake_impostor.hpp"
 #include "sectorgen/bake/impostors/capture_point.hpp"
+#include "sectorgen/bake/impostors/impostor_mesh.hpp"
 #include "sectorgen/bake/picture/flip.hpp"
-#include "sectorgen/bake/picture/png.hpp"
 #include "sectorgen/bake/render/render.hpp"
 
 namespace {
@@ -57,24 +57,6 @@ std::vector<Variant> variants() {
           make("gate, farthest", gate, 1, 256, 32),
           make("gate, farthest", gate, 1, 128, 16),
           make("gate, farthest", gate, 1, 128, 64)};
-}
-
-void add_picture(RenderMesh& mesh, const GateImpostor& i) {
-  mesh.images.emplace_back(read_png(i.png));
-  RenderTriangle look;
-  look.image = static_cast<std::uint32_t>(mesh.images.size() - 1);
-  look.is_lit = false;
-  look.places = static_cast<std::uint32_t>(mesh.places.size());
-  mesh.places.push_back({{{0, 0}, {1, 0}, {1, 1}}});
-  mesh.places.push_back({{{0, 0}, {1, 1}, {0, 1}}});
-  const auto at = [&](PlanPoint p, double up) { return mesh.add_point({metres(p.x), metres(p.y), up}); };
-  const std::uint32_t a = at(i.left, i.bottom_m), b = at(i.right, i.bottom_m), c = at(i.right, i.top_m),
-                      d = at(i.left, i.top_m);
-  look.corners = {a, b, c};
-  mesh.triangles.push_back(look);
-  look.corners = {a, c, d};
-  ++look.places;
-  mesh.triangles.push_back(look);
 }
 
 std::vector<Camera> eyes_of(const City& city, const Sector& sector, const Gate& gate) {
@@ -175,7 +157,7 @@ int main(int argc, char** argv) {
       v.bytes += static_cast<double>(impostor->png.size());
       ++v.pictures;
       RenderMesh with = alone_mesh;
-      if (&v != &all.front()) add_picture(with, *impostor);
+      if (&v != &all.front()) add_impostor(with, *impostor);
       scenes.emplace_back(std::move(with));
     }
     if (!is_pictured) continue;

@@ -41,9 +41,13 @@ const [[name, make]] = Object.entries(cities());
 test(`glTF and 3D Tiles of ${name} are read by others`, { timeout: 600000 }, async t => {
     const folder = mkdtempSync(join(tmpdir(), 'vicus-tiles-')), tiles = join(folder, 'tiles');
     t.after(() => rmSync(folder, { recursive: true, force: true }));
-    execFileSync(vicusProgram, ['export', make(folder), '--format', '3dtiles', '-o', tiles, '--quiet']);
-    await t.test('no file has an error or a warning of the glTF validator', () => assertValid(join(tiles, 'sectors')));
-    await t.test('CesiumJS draws the city', () => assertDrawn(tiles));
+    const city = make(folder);
+    for (const coding of ['draco', 'meshopt']) {
+        const out = join(tiles, coding);
+        execFileSync(vicusProgram, ['export', city, '--format', '3dtiles', '--coding', coding, '-o', out, '--quiet']);
+        await t.test(`${coding}: no file has an error or a warning of the glTF validator`, () => assertValid(join(out, 'sectors')));
+        await t.test(`${coding}: CesiumJS draws the city`, () => assertDrawn(out, coding));
+    }
 });
 
 async function assertValid(folder) {
@@ -55,7 +59,7 @@ async function assertValid(folder) {
     }
 }
 
-async function assertDrawn(tiles) {
+async function assertDrawn(tiles, coding) {
     const server = await serveFolders({ '/tiles/': tiles, '/cesium/': kCesium }), browser = await openBrowser();
     try {
         const { page, complaints } = await openTab(browser.context);
@@ -72,7 +76,7 @@ async function assertDrawn(tiles) {
             const colours = await page.evaluate(coloursSeen);
             if (process.env.VICUS_SHOTS) {
                 mkdirSync(process.env.VICUS_SHOTS, { recursive: true });
-                await page.screenshot({ path: join(process.env.VICUS_SHOTS, `${shot}.png`) });
+                await page.screenshot({ path: join(process.env.VICUS_SHOTS, `${shot}-${coding}.png`) });
             }
             assert.ok(colours.covered > 0.3, `${shot}: the city covers ${colours.covered} of the window`);
             assert.ok(colours.kinds > 30, `${shot}: ${colours.kinds} colours`);

@@ -16,6 +16,7 @@ bool is_same(float a, float b) {
 
 float distance_px(const DepthMap& from, const DepthMap& to, int column, int row) {
   const float depth = from.at(column, row);
+  if (is_same(depth, to.at(column, row))) return 0;
   int least2 = (kDepthReach_px + 1) * (kDepthReach_px + 1);
   for (int y = std::max(0, row - kDepthReach_px); y <= std::min(to.height - 1, row + kDepthReach_px); ++y)
     for (int x = std::max(0, column - kDepthReach_px); x <= std::min(to.width - 1, column + kDepthReach_px); ++x) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "city_db/colour.hpp"
+#include "sectorgen/bake/picture/filter.hpp"
 
 namespace vicus {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using Triple = std::array<double, 3>;
 using Plane = PixelGrid<double>;
 using Planes = std::array<Plane, 3>;
-using Kernel = std::vector<double>;  // odd length, middle first in meaning
 
 constexpr double kColourPower = 0.7, kKnee = 0.4, kKneeValue = 0.95, kFeaturePower = 0.5, kEdgeWidth_deg = 0.082;
 
@@ -83,26 +83,6 @@ double colour_error(const Triple& a, const Triple& b) {
   return kKneeValue + (error - knee) / (kMost - knee) * (1 - kKneeValue);
 }
 
-/// Rows by `across`, columns by `down`; borders repeat.
-Plane filtered(const Plane& from, const Kernel& across, const Kernel& down) {
-  const int radius = static_cast<int>(across.size() / 2);
-  const auto pass = [radius](const Plane& in, const Kernel& kernel, bool is_row) {
-    Plane out(in.width, in.height);
-    for (int y = 0; y < in.height; ++y)
-      for (int x = 0; x < in.width; ++x) {
-        double sum = 0;
-        for (int k = -radius; k <= radius; ++k) {
-          const int column = is_row ? std::clamp(x + k, 0, in.width - 1) : x;
-          const int row = is_row ? y : std::clamp(y + k, 0, in.height - 1);
-          sum += kernel[static_cast<std::size_t>(k + radius)] * in.at(column, row);
-        }
-        out.at(x, y) = sum;
-      }
-    return out;
-  };
-  return pass(pass(from, across, true), down, false);
-}
-
 template <class Value>
 Kernel kernel_of(int radius, Value value) {
   Kernel kernel;
@@ -141,7 +121,7 @@ Plane seen(const Plane& channel, const Sensitivity& s, double pixels_per_degree)
   return out;
 }
 
-struct Seen {
+struct Sight {
   PixelGrid<Triple> lab;  // after the eye
   Plane edges, points;    // strength of features
 };
@@ -155,7 +135,7 @@ Kernel balanced(Kernel derivative, const Kernel& gaussian) {
   return derivative;
 }
 
-Seen look_at(const Picture& picture, double pixels_per_degree) {
+Sight look_at(const Picture& picture, double pixels_per_degree) {
   Planes channels;
   for (Plane& plane : channels) plane = Plane(picture.width, picture.height);
   Plane grey(picture.width, picture.height);
@@ -166,7 +146,7 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
     grey.pixels[i] = (v[0] + 16) / 116;
   }
   for (std::size_t k = 0; k < 3; ++k) channels[k] = seen(channels[k], kSensitivities[k], pixels_per_degree);
-  Seen out;
+  Sight out;
   out.lab = PixelGrid<Triple>(picture.width, picture.height);
   for (std::size_t i = 0; i < out.lab.pixels.size(); ++i) {
     Triple rgb = rgb_from_opponent({channels[0].pixels[i], channels[1].pixels[i], channels[2].pixels[i]});
@@ -192,10 +172,19 @@ Seen look_at(const Picture& picture, double pixels_per_degree) {
 
 }  // namespace
 
-PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
-  assert(reference.width == test.width && reference.height == test.height);
-  const Seen a = look_at(reference, pixels_per_degree), b = look_at(test, pixels_per_degree);
-  PixelGrid<float> out(reference.width, reference.height);
+struct FlipReference::Seen {
+  Sight sight;
+};
+
+FlipReference::FlipReference(const Picture& reference, double pixels_per_degree)
+    : seen_(std::make_shared<Seen>(Seen{look_at(reference, pixels_per_degree)})),
+      pixels_per_degree_(pixels_per_degree) {}
+
+PixelGrid<float> FlipReference::map(const Picture& test) const {
+  const Sight& a = seen_->sight;
+  assert(a.lab.width == test.width && a.lab.height == test.height);
+  const Sight b = look_at(test, pixels_per_degree_);
+  PixelGrid<float> out(test.width, test.height);
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     const double feature =
         std::max(std::abs(a.edges.pixels[i] - b.edges.pixels[i]), std::abs(a.points.pixels[i] - b.points.pixels[i]));
@@ -203,6 +192,11 @@ PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double 
     out.pixels[i] = static_cast<float>(std::pow(colour_error(a.lab.pixels[i], b.lab.pixels[i]), exponent));
   }
   return out;
+}
+
+PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree) {
+  assert(reference.width == test.width && reference.height == test.height);
+  return FlipReference(reference, pixels_per_degree).map(test);
 }
 
 double flip_mean(const Picture& reference, const Picture& test, double pixels_per_degree) {

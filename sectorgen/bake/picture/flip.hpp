@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "sectorgen/bake/picture/picture.hpp"
 
 /// How different two pictures look to a person who switches between them.
@@ -12,6 +14,19 @@ inline constexpr double kPixelsPerDegree = 67.0206;
 /// Source  Andersson et al., FLIP: A Difference Evaluator for Alternating Images, HPG 2020, for pictures of low dynamic
 ///         range. Filters as separable sums, borders repeated.
 PixelGrid<float> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree = kPixelsPerDegree);
+
+/// A picture that many others are held against: what the eye sees of it is worked out once.
+class FlipReference {
+ public:
+  explicit FlipReference(const Picture& reference, double pixels_per_degree = kPixelsPerDegree);
+  /// As flip_map.   Needs   equal sizes (assert).
+  PixelGrid<float> map(const Picture& test) const;
+
+ private:
+  struct Seen;
+  std::shared_ptr<const Seen> seen_;
+  double pixels_per_degree_;
+};
 
 /// Mean of flip_map.
 double flip_mean(const Picture& reference, const Picture& test, double pixels_per_degree = kPixelsPerDegree);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sectorgen/bake/picture/filter.hpp"
+
 namespace vicus {
 namespace {
 
@@ -12,8 +14,8 @@ constexpr double kSigma = 1.5, kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
 
 double luma(const Rgb& p) { return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]; }
 
-std::array<double, kWindow> bell() {
-  std::array<double, kWindow> out{};
+Kernel bell() {
+  Kernel out(kWindow);
   double sum = 0;
   for (int k = 0; k < kWindow; ++k) {
     const double x = k - kWindow / 2;
@@ -39,23 +41,22 @@ double psnr_db(const Picture& a, const Picture& b) {
 
 double ssim(const Picture& a, const Picture& b) {
   assert(a.width == b.width && a.height == b.height && a.width >= kWindow && a.height >= kWindow);
-  const auto weights = bell();
+  using Plane = PixelGrid<double>;
+  Plane p(a.width, a.height), q = p, pp = p, qq = p, pq = p;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const double x = luma(a.pixels[i]), y = luma(b.pixels[i]);
+    p.pixels[i] = x, q.pixels[i] = y;
+    pp.pixels[i] = x * x, qq.pixels[i] = y * y, pq.pixels[i] = x * y;
+  }
+  const Kernel weights = bell();
+  for (Plane* plane : {&p, &q, &pp, &qq, &pq}) *plane = filtered(*plane, weights, weights);
+  constexpr int kRadius = kWindow / 2;
   double sum = 0;
-  for (int y = 0; y + kWindow <= a.height; ++y)
-    for (int x = 0; x + kWindow <= a.width; ++x) {
-      double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
-      for (int j = 0; j < kWindow; ++j)
-        for (int i = 0; i < kWindow; ++i) {
-          const double w = weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)];
-          const double p = luma(a.at(x + i, y + j)), q = luma(b.at(x + i, y + j));
-          ma += w * p;
-          mb += w * q;
-          aa += w * p * p;
-          bb += w * q * q;
-          ab += w * p * q;
-        }
-      sum += (2 * ma * mb + kC1) * (2 * (ab - ma * mb) + kC2) /
-             ((ma * ma + mb * mb + kC1) * (aa - ma * ma + bb - mb * mb + kC2));
+  for (int y = kRadius; y + kRadius < a.height; ++y)
+    for (int x = kRadius; x + kRadius < a.width; ++x) {
+      const double ma = p.at(x, y), mb = q.at(x, y);
+      sum += (2 * ma * mb + kC1) * (2 * (pq.at(x, y) - ma * mb) + kC2) /
+             ((ma * ma + mb * mb + kC1) * (pp.at(x, y) - ma * ma + qq.at(x, y) - mb * mb + kC2));
     }
   return sum / ((a.width - kWindow + 1.0) * (a.height - kWindow + 1.0));
 }

@@ -15,6 +15,9 @@ class RepeatedImage {
   /// Exact   the integral of the pixels as squares.   Cost  four looks.
   Rgba mean(double u, double v, double u_side, double v_side) const;
 
+  int width() const { return width_; }
+  int height() const { return height_; }
+
  private:
   using Sum = std::array<double, 4>;
   Sum integral(double x, double y) const;

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "city_db/run_parallel.hpp"
-#include "sectorgen/bake/render/shading.hpp"
 
 namespace vicus {
 namespace {
@@ -15,8 +14,8 @@ constexpr int kMostLayers = 8;  // cut-outs one behind the other
 
 class Renderer {
  public:
-  Renderer(const RayScene& scene, const Camera& camera, const RenderOptions& options)
-      : scene_(scene),
+  Renderer(const Tracer& tracer, const Camera& camera, const RenderOptions& options)
+      : tracer_(tracer),
         camera_(camera),
         options_(options),
         side_(static_cast<int>(std::ceil(std::sqrt(options.samples) - 1e-9))) {
@@ -43,16 +42,17 @@ class Renderer {
            down_ * y;
   }
 
-  Rgba sample(const Vec3& way) const {
+  /// `first`: t of the first thing met.
+  Rgba sample(const Vec3& way, std::optional<double>& first) const {
     Rgba sum{};
     double near = options_.near_m;
     for (int layer = 0; layer < kMostLayers && sum[3] < 0.999f; ++layer) {
-      const auto hit = scene_.first_hit(camera_.eye, way, near);
-      if (!hit) break;
-      const Rgba front = shown(scene_, *hit, {way, across_, down_});
+      const auto met = tracer_.meet(camera_.eye, {way, across_, down_}, near);
+      if (!met) break;
+      if (layer == 0) first = met->t;
       const float rest = 1 - sum[3];
-      for (std::size_t k = 0; k < 4; ++k) sum[k] += rest * front[k];
-      near = hit->t * (1 + 1e-6) + 1e-6;
+      for (std::size_t k = 0; k < 4; ++k) sum[k] += rest * met->shown[k];
+      near = met->t * (1 + 1e-6) + 1e-6;
     }
     return sum;
   }
@@ -60,10 +60,13 @@ class Renderer {
   void draw(int column, int row) {
     std::array<double, 4> sum{};
     std::array<double, 3> sky{};
+    std::optional<double> middle;  // t at the pixel's middle
     for (int j = 0; j < side_; ++j)
       for (int i = 0; i < side_; ++i) {
         const Vec3 ray = way(column * side_ + i + 0.5, row * side_ + j + 0.5);
-        const Rgba seen = sample(ray);
+        std::optional<double> first;
+        const Rgba seen = sample(ray, first);
+        if (2 * i + 1 == side_ && 2 * j + 1 == side_) middle = first;
         for (std::size_t k = 0; k < 4; ++k) sum[k] += seen[k];
         if (seen[3] >= 0.999f) continue;
         const Rgb behind = sky_colour(ray);
@@ -75,11 +78,12 @@ class Renderer {
       view_.cut_out.at(column, row)[k] = sum[3] > 0 ? static_cast<float>(sum[k] / sum[3]) : 0;
     }
     view_.cut_out.at(column, row)[3] = view_.coverage.at(column, row) = static_cast<float>(opacity);
-    const auto hit = scene_.first_hit(camera_.eye, way((column + 0.5) * side_, (row + 0.5) * side_), options_.near_m);
-    view_.depth.at(column, row) = hit ? static_cast<float>(hit->t) : std::numeric_limits<float>::infinity();
+    if (side_ % 2 == 0)  // else a sample was there
+      middle = tracer_.distance(camera_.eye, way((column + 0.5) * side_, (row + 0.5) * side_), options_.near_m);
+    view_.depth.at(column, row) = middle ? static_cast<float>(*middle) : std::numeric_limits<float>::infinity();
   }
 
-  const RayScene& scene_;
+  const Tracer& tracer_;
   const Camera& camera_;
   RenderOptions options_;
   int side_;
@@ -89,9 +93,24 @@ class Renderer {
 
 }  // namespace
 
-View render(const RayScene& scene, const Camera& camera, const RenderOptions& options) {
+std::optional<Tracer::Met> SceneTracer::meet(const Vec3& from, const RaySample& sample, double least) const {
+  const auto hit = scene_->first_hit(from, sample.way, least);
+  if (!hit) return std::nullopt;
+  return Met{hit->t, shown(*scene_, *hit, sample)};
+}
+
+std::optional<double> SceneTracer::distance(const Vec3& from, const Vec3& way, double least) const {
+  const auto hit = scene_->first_hit(from, way, least);
+  return hit ? std::optional(hit->t) : std::nullopt;
+}
+
+View render(const Tracer& tracer, const Camera& camera, const RenderOptions& options) {
   assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  return Renderer(scene, camera, options).run();
+  return Renderer(tracer, camera, options).run();
+}
+
+View render(const RayScene& scene, const Camera& camera, const RenderOptions& options) {
+  return render(SceneTracer(scene), camera, options);
 }
 
 }  // namespace vicus

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "city_db/colour.hpp"
@@ -27,7 +28,7 @@ struct RenderMesh {
   std::vector<std::array<float, 3>> points;
   std::vector<RenderTriangle> triangles;
   std::vector<std::array<std::array<float, 2>, 3>> places;  ///< of the corners in the image: u from left, v from bottom
-  std::vector<RepeatedImage> images;
+  std::vector<std::shared_ptr<const RepeatedImage>> images;  ///< meshes of one city can have them in common
 
   std::uint32_t add_point(const Vec3& p) {
     const Vec3 q = p - origin;

@@ -81,7 +81,7 @@ Rgba shown(const RayScene& scene, const RayScene::Hit& hit, const RaySample& sam
     std::array<double, 2> at{};
     for (std::size_t k = 0; k < 2; ++k)
       at[k] = (1 - hit.u - hit.v) * places[0][k] + hit.u * places[1][k] + hit.v * places[2][k];
-    colour = mesh.images[t.image].mean(at[0], at[1], std::abs(x[0]) + std::abs(y[0]), std::abs(x[1]) + std::abs(y[1]));
+    colour = mesh.images[t.image]->mean(at[0], at[1], std::abs(x[0]) + std::abs(y[0]), std::abs(x[1]) + std::abs(y[1]));
   }
   for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[3], colour[k] * light);
   return colour;

@@ -2,6 +2,7 @@
 
 #include <draco/compression/decode.h>
 #include <gtest/gtest.h>
+#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,74 @@ TEST(SectorGlb, HoldsEveryTriangleToTheMillimetre) {
         for (const auto& [image, face] : facades.own_images) add_fan(expected, face, 4);
       }
       EXPECT_EQ(triangles_of(opened(sector_glb(index, sector, detail, some_image))), expected) << sector.id;
+    }
+}
+
+/// Corners of every triangle, mm, of a GLB coded by meshoptimizer, read by its decoder.
+std::multiset<std::array<X3dPoint, 3>> meshopt_triangles_of(const Glb& glb, double& step_m) {
+  std::multiset<std::array<X3dPoint, 3>> out;
+  const json& node = glb.gltf["nodes"][0];
+  step_m = node["scale"][0];
+  const auto coded = [&](const json& accessor_index) {
+    const json& accessor = glb.gltf["accessors"][accessor_index.get<std::size_t>()];
+    const json& view = glb.gltf["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const json& extension = view["extensions"]["EXT_meshopt_compression"];
+    EXPECT_EQ(extension["count"], accessor["count"]);
+    EXPECT_EQ(view["byteLength"].get<std::size_t>(),
+              extension["count"].get<std::size_t>() * extension["byteStride"].get<std::size_t>());
+    EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
+              glb.gltf["buffers"][1]["byteLength"].get<std::size_t>());
+    return std::pair(glb.buffer.substr(extension["byteOffset"], extension["byteLength"]),
+                     extension["count"].get<std::size_t>());
+  };
+  const auto bytes_of = [](const std::string& text) { return reinterpret_cast<const unsigned char*>(text.data()); };
+  for (const json& primitive : glb.gltf["meshes"][0]["primitives"]) {
+    const auto [position_bytes, points] = coded(primitive["attributes"]["POSITION"]);
+    const auto [index_bytes, corners] = coded(primitive["indices"]);
+    std::vector<std::array<std::uint16_t, 4>> positions(points);
+    std::vector<std::uint32_t> indices(corners);
+    EXPECT_EQ(meshopt_decodeVertexBuffer(positions.data(), points, 8, bytes_of(position_bytes), position_bytes.size()),
+              0);
+    EXPECT_EQ(meshopt_decodeIndexBuffer(indices.data(), corners, 4, bytes_of(index_bytes), index_bytes.size()), 0);
+    for (std::size_t i = 0; i + 2 < corners; i += 3) {
+      std::array<X3dPoint, 3> triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& p = positions.at(indices[i + k]);
+        const auto mm = [&](std::size_t axis) {
+          return height_mm(node["translation"][axis].get<double>() + node["scale"][axis].get<double>() * p[axis]);
+        };
+        triangle[k] = {mm(0), mm(1), mm(2)};
+      }
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+      out.insert(triangle);
+    }
+  }
+  return out;
+}
+
+TEST(SectorGlb, MeshoptHoldsEveryTriangleOfDracoToHalfAStep) {
+  const City city = test::sample_city_with_facades();
+  const CityIndex index(city);
+  for (const Sector& sector : city.sectors)
+    for (const std::uint32_t step_mm : {1u, 100u}) {
+      double step_m = 0;
+      const auto shown = meshopt_triangles_of(
+          opened(sector_glb(index, sector, Detail::far, some_image, {GlbCoding::meshopt, step_mm})), step_m);
+      EXPECT_GE(step_m, step_mm / 1000.0 - 1e-9);
+      EXPECT_LE(step_m, std::max(step_mm / 1000.0, 0.004));
+      const auto exact = triangles_of(opened(sector_glb(index, sector, Detail::far, some_image)));
+      const auto most = static_cast<std::int32_t>(std::ceil(step_m * 500)) + 1;
+      const auto is_near = [&](const X3dPoint& a, const X3dPoint& b) {
+        return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most && std::abs(a.z - b.z) <= most;
+      };
+      for (const auto& triangle : exact)
+        EXPECT_TRUE(std::any_of(shown.begin(), shown.end(), [&](const auto& other) {
+          for (std::size_t turn = 0; turn < 3; ++turn)
+            if (is_near(triangle[0], other[turn]) && is_near(triangle[1], other[(turn + 1) % 3]) &&
+                is_near(triangle[2], other[(turn + 2) % 3]))
+              return true;
+          return false;
+        })) << sector.id;
     }
 }
 

@@ -104,7 +104,7 @@ TEST(Render, FarImagesAreTheirMeanAndNearOnesTheirPixels) {
   RenderMesh mesh;
   CutOut checks(2, 2);
   checks.pixels = {{1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}};
-  mesh.images.emplace_back(checks);
+  mesh.images.push_back(std::make_shared<RepeatedImage>(checks));
   RenderTriangle look;
   look.image = 0;
   look.is_lit = false;
@@ -121,7 +121,7 @@ TEST(Render, CutOutsLetThroughWhatIsBehind) {
   RenderMesh mesh = box({-1, 4, -1}, {1, 6, 1});
   CutOut half(1, 1);
   half.pixels = {{0, 0, 1, 0.25f}};
-  mesh.images.emplace_back(half);
+  mesh.images.push_back(std::make_shared<RepeatedImage>(half));
   mesh.places = {{{{0, 0}, {1, 0}, {1, 1}}}, {{{0, 0}, {1, 1}, {0, 1}}}};
   RenderTriangle look;
   look.image = 0;

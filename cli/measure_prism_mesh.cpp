@@ -1,0 +1,132 @@
+#include "cli/measure_prism_mesh.hpp"
+
+#include <cmath>
+
+#include "city_db/issues.hpp"
+#include "sectorgen/geom/triangulation.hpp"
+
+namespace vicus::measure {
+namespace {
+
+struct HouseMesh {
+  RenderMesh& mesh;
+  const PrismTile& tile;
+  const PrismHouse& house;
+  double ground_m, eave_m, top_m;
+  RenderTriangle wall{}, roof{};
+
+  std::uint32_t at(double x, double y, double up) const {
+    const double step = metres(tile.step_mm);
+    return mesh.add_point({metres(tile.corner.x) + step * x, metres(tile.corner.y) + step * y, up});
+  }
+  void add(RenderTriangle look, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    look.corners = {a, b, c};
+    mesh.triangles.push_back(look);
+  }
+
+  void add_walls() const {
+    const double top = house.kind == PrismKind::flat ? top_m : eave_m;
+    for (const auto& ring : house.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const PlanPoint p = ring[i], q = ring[(i + 1) % ring.size()];
+        const auto a = at(p.x, p.y, ground_m), b = at(q.x, q.y, ground_m), c = at(q.x, q.y, top), d = at(p.x, p.y, top);
+        add(wall, a, b, c);
+        add(wall, a, c, d);
+      }
+  }
+
+  /// Triangles of the rings: those with an odd number of edges around them.
+  void add_flat() const {
+    std::vector<PlanPoint> points;
+    std::vector<Edge> edges;
+    for (const auto& ring : house.rings) {
+      const auto first = static_cast<std::uint32_t>(points.size()), n = static_cast<std::uint32_t>(ring.size());
+      for (std::uint32_t i = 0; i < n; ++i) edges.push_back({first + i, first + (i + 1) % n});
+      points.insert(points.end(), ring.begin(), ring.end());
+    }
+    Mesh flat;
+    try {
+      flat = triangulate_edges(points, edges);
+    } catch (const CityError&) {  // rounding let a footprint's edges cross: a fan is as good
+      const auto& ring = house.rings[0];
+      for (std::size_t i = 2; i < ring.size(); ++i)
+        add(roof, at(ring[0].x, ring[0].y, top_m), at(ring[i - 1].x, ring[i - 1].y, top_m),
+            at(ring[i].x, ring[i].y, top_m));
+      return;
+    }
+    const auto inside = flood_from_hull(flat, false, [&](bool value, std::uint32_t t, int k) {
+      return value != (flat.triangles[t].edge[static_cast<std::size_t>(k)] != kNone);
+    });
+    for (std::uint32_t t = 0; t < flat.triangles.size(); ++t) {
+      if (!inside[t]) continue;
+      std::array<std::uint32_t, 3> c{};
+      for (int k = 0; k < 3; ++k) {
+        const PlanPoint p = flat.points[flat.corner(t, k)];
+        c[static_cast<std::size_t>(k)] = at(p.x, p.y, top_m);
+      }
+      add(roof, c[0], c[1], c[2]);
+    }
+  }
+
+  void add_tent() const {
+    const auto& ring = house.rings[0];
+    double x = 0, y = 0;
+    for (const PlanPoint p : ring) x += p.x, y += p.y;
+    const auto top = at(x / static_cast<double>(ring.size()), y / static_cast<double>(ring.size()), top_m);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const PlanPoint p = ring[i], q = ring[(i + 1) % ring.size()];
+      add(roof, at(p.x, p.y, eave_m), at(q.x, q.y, eave_m), top);
+    }
+  }
+
+  /// A ridge between the middles of the shorter sides, drawn in by `share` of half their length.
+  void add_ridged(bool is_hipped) const {
+    const auto& ring = house.rings[0];
+    const auto length = [&](std::size_t i) {
+      return std::hypot(double(ring[(i + 1) % 4].x) - ring[i % 4].x, double(ring[(i + 1) % 4].y) - ring[i % 4].y);
+    };
+    const std::size_t first = length(0) + length(2) >= length(1) + length(3) ? 0 : 1;  // a longer side
+    const auto corner = [&](std::size_t i) { return ring[(first + i) % 4]; };
+    const auto middle = [](PlanPoint a, PlanPoint b) {
+      return std::array{(double(a.x) + b.x) / 2, (double(a.y) + b.y) / 2};
+    };
+    auto one = middle(corner(1), corner(2)), other = middle(corner(3), corner(0));
+    if (is_hipped) {
+      const double dx = other[0] - one[0], dy = other[1] - one[1], ridge = std::max(1e-9, std::hypot(dx, dy));
+      const double in = std::min(0.5, (length(first + 1) + length(first + 3)) / 4 / ridge);
+      one = {one[0] + in * dx, one[1] + in * dy};
+      other = {other[0] - in * dx, other[1] - in * dy};
+    }
+    const auto p = [&](std::size_t i) { return at(corner(i).x, corner(i).y, eave_m); };
+    const auto r = at(one[0], one[1], top_m), s = at(other[0], other[1], top_m);
+    for (const std::size_t side : {std::size_t{0}, std::size_t{2}}) {
+      add(roof, p(side), p(side + 1), side == 0 ? r : s);
+      add(roof, p(side), side == 0 ? r : s, side == 0 ? s : r);
+    }
+    const RenderTriangle& end = is_hipped ? roof : wall;
+    add(end, p(1), p(2), r);
+    add(end, p(3), p(0), s);
+  }
+};
+
+}  // namespace
+
+void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
+  const double up = metres(tile.up_step_mm);
+  for (const PrismHouse& house : tile.houses) {
+    if (!house.is_owned && !all) continue;
+    const double ground = metres(tile.base_mm) + up * house.ground, eave = ground + up * house.eave;
+    HouseMesh h{mesh, tile, house, ground, eave, eave + up * house.rise};
+    h.wall.colour = tile.palette[house.wall];
+    h.roof.colour = tile.palette[house.roof];
+    h.add_walls();
+    if (house.kind == PrismKind::flat)
+      h.add_flat();
+    else if (house.kind == PrismKind::tent)
+      h.add_tent();
+    else
+      h.add_ridged(house.kind == PrismKind::hipped);
+  }
+}
+
+}  // namespace vicus::measure

@@ -1,0 +1,12 @@
+#pragma once
+#include "city_db/prism_tile.hpp"
+#include "sectorgen/bake/render/render_mesh.hpp"
+
+namespace vicus::measure {
+
+/// Adds the houses of a tile as a client draws them: walls from the ground, simple roofs (prism_tile.hpp). A house that
+/// several tiles hold is added by the one that owns it, unless `all`.
+/// Needs   a tile from decode_prisms or bake_prisms.
+void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all);
+
+}  // namespace vicus::measure

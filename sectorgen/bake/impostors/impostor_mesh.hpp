@@ -1,0 +1,11 @@
+#pragma once
+#include "city_db/city.hpp"
+#include "sectorgen/bake/render/render_mesh.hpp"
+
+namespace vicus {
+
+/// Adds the picture in its gate, as a browser shows it: not lit, seen from its front.
+/// Fails   CityError: its image is no PNG.
+void add_impostor(RenderMesh& mesh, const GateImpostor& impostor);
+
+}  // namespace vicus
