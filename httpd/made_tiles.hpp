@@ -21,7 +21,7 @@ struct MadeTile {
 /// Shared by all threads.
 class MadeTiles {
  public:
-  /// Makes the tile of a path ("blockmaps/Z/X/Y", with ".prisms"); nullopt: there is no such tile.
+  /// Makes the tile of a path ("blockmaps/Z/X/Y", with ".prisms" or ".ground"); nullopt: there is no such tile.
   using Make = std::function<std::optional<MadeTile>(const std::string& path)>;
   explicit MadeTiles(Make make, std::size_t most_bytes = std::size_t{64} << 20)
       : make_(std::move(make)), most_bytes_(most_bytes) {}
