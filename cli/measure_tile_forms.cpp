@@ -80,9 +80,7 @@ class TileForm : public Representation {
   }
 
  protected:
-  virtual bool has(const TileAddress& at) {
-    return at.z == 0 || !city_.bake_scene().houses_in(tile_box(levels_, at)).empty();
-  }
+  virtual bool has(const TileAddress& at) { return at.z == 0 || houses(at) > 0; }
   virtual double error_m(const TileAddress& at) { return made(at).error_m; }
   virtual MadeTile make(const TileAddress& at) = 0;
   virtual bool draws_all_prisms() const { return false; }
@@ -93,7 +91,11 @@ class TileForm : public Representation {
   }
   PlanPoint corner(const TileAddress& at) const { return tile_corner(levels_, at); }
   std::uint32_t side_mm(const TileAddress& at) const { return tile_side_mm(levels_, at.z); }
-  std::size_t houses(const TileAddress& at) { return city_.bake_scene().houses_in(tile_box(levels_, at)).size(); }
+  std::size_t houses(const TileAddress& at) {
+    const auto known = houses_.find(at);  // asked at every step of a path
+    if (known != houses_.end()) return known->second;
+    return houses_[at] = city_.bake_scene().houses_in(tile_box(levels_, at)).size();
+  }
 
   MadeTile blockmap(const TileAddress& at, std::uint32_t cells, int quality) {
     BlockMapOptions options;
@@ -128,6 +130,7 @@ class TileForm : public Representation {
 
  private:
   std::map<TileAddress, MadeTile> made_;
+  std::map<TileAddress, std::size_t> houses_;
 };
 
 class BlockMapTiles : public TileForm {
