@@ -24,8 +24,8 @@ const kCesium = fileURLToPath(new URL('../../node_modules/cesium/Build/Cesium', 
 const kTypes = { '.js': 'text/javascript', '.json': 'application/json', '.glb': 'model/gltf-binary', '.css': 'text/css', '.wasm': 'application/wasm',
     '.png': 'image/png', '.jpg': 'image/jpeg' };
 const kQuietMs = 1500, kPatienceMs = 240000;
-/** deg: of the smaller side of the view, as the root world has it. */
-const kFieldOfView = 45;
+/** rad: of the smaller side of the view, as the root world has it (city_db/surroundings.hpp). */
+const kFieldOfView = 0.95;
 
 /** Cesium asks for tiles of this error in pixels; 16 is its own choice. */
 const cesiumPage = ({ lat, lon, up, heading }) => `<!DOCTYPE html><meta charset="utf-8"><style>html, body, #city, .cesium-widget, canvas { margin: 0; width: 100%; height: 100%; }</style>
@@ -35,7 +35,7 @@ const widget = new Cesium.CesiumWidget('city', { baseLayer: false, globe: false,
 widget.scene.backgroundColor = Cesium.Color.LIGHTSKYBLUE;
 widget.clock.currentTime = Cesium.JulianDate.fromIso8601('2026-06-21T10:00:00Z');
 widget.clock.shouldAnimate = false;
-widget.camera.frustum.fov = 2 * Math.atan(Math.tan(${kFieldOfView} * Math.PI / 360) * Math.max(1, innerWidth / innerHeight));   // of the larger side
+widget.camera.frustum.fov = 2 * Math.atan(Math.tan(${kFieldOfView} / 2) * Math.max(1, innerWidth / innerHeight));   // of the larger side
 widget.camera.frustum.near = 0.2;
 widget.camera.setView({ destination: Cesium.Cartesian3.fromDegrees(${lon}, ${lat}, ${up}), orientation: { heading: ${heading}, pitch: 0, roll: 0 } });
 const tileset = await Cesium.Cesium3DTileset.fromUrl('/tiles/tileset.json');
