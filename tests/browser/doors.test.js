@@ -89,6 +89,7 @@ async function walkThroughHouse(t, browser, server, { street, room, door, at, he
     if (inner) await lookIntoNextRoom(visitor, inner, { shoot, stand, isOpen, isShut });
 
     await stand(at(-1.2), heading + Math.PI);
+    await visitor.isIn(room.id);
     await page.keyboard.press('KeyI');
     await isOpen(door.id);
     await visitor.settle();
