@@ -134,7 +134,7 @@ class Page {
                      [](const Summary* a, const Summary* b) { return a->bytes < b->bytes; });
     const auto is_shown = [](const Summary* s) {  // families that look alike are shown once
       return s->family != "full model" && s->family != "GLB, meshopt" && s->family != "LOD2" && s->family != "LOD4" &&
-             s->family != "client's tiles" && s->family != "BlockMap 2007 32:192" && s->family != "BlockMap+ 32" &&
+             s->family != "both tiles" && s->family != "BlockMap 2007 32:192" && s->family != "BlockMap+ 32" &&
              s->family != "BlockMap+ 256";
     };
     std::erase_if(order, [&](const Summary* s) { return !is_shown(s); });

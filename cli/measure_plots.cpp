@@ -24,7 +24,7 @@ Look look_of(const std::string& family) {
                                                      {"gate impostors", {"#d64550", 3}},
                                                      {"GLB, Draco", {"#8e5cc9", 0}},
                                                      {"GLB, meshopt", {"#c05cb9", 2}},
-                                                     {"client's tiles", {"#0f8a5f", 3}},
+                                                     {"both tiles", {"#0f8a5f", 3}},
                                                      {"prisms", {"#58a618", 1}},
                                                      {"BlockMap+ 32", {"#9bc53d", 0}},
                                                      {"BlockMap+ 64", {"#6fb34b", 0}},

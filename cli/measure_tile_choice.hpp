@@ -13,6 +13,7 @@ namespace vicus::measure {
 
 /// The numbers of TileTree.js; tile_choice_test holds both to each other.
 inline constexpr double kCoarsenShare = 0.8, kRoofs_m = 100, kNearest_m = 10;
+/// Where prisms and BlockMaps are mixed: tiles of more houses are BlockMaps.
 inline constexpr std::size_t kMostPolygonHouses = 1500;
 
 struct TileView {

@@ -194,7 +194,7 @@ class PrismTiles : public TileForm {
 
 class ClientTiles : public TileForm {
  public:
-  ClientTiles(SharedCity& city, double tau_px) : TileForm(city, {"client's tiles", {}, tau_px}) {}
+  ClientTiles(SharedCity& city, double tau_px) : TileForm(city, {"both tiles", {}, tau_px}) {}
 
  private:
   bool has(const TileAddress& at) override {

@@ -72,6 +72,7 @@ TEST(TileChoice, IsThatOfTheClient) {
       Json paths = Json::array();
       for (const TileAddress& at : choose_tiles(tree.tree(), view, refined))
         paths.push_back(std::to_string(at.z) + "/" + std::to_string(at.x) + "/" + std::to_string(at.y));
+      std::sort(paths.begin(), paths.end());
       drawn += paths.size();
       answers.push_back(std::move(paths));
     }
