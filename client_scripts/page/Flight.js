@@ -1,10 +1,5 @@
-import { Flyover } from '../core/Flyover.js';
 import { glidePose, glideSeconds } from '../core/glide.js';
 import { landingSpot } from '../core/landingSpot.js';
-import { fetchLayouts, tileLoader } from '../core/tileLoad.js';
-import { Flyer } from './Flyer.js';
-import { TileWorkshop } from './TileWorkshop.js';
-import { fetchTileShaders, probeForms } from './probeForms.js';
 
 /** m: how far up one goes who leaves the ground, and back, so that he sees where he was; and how he looks then. */
 const kRise = 95, kBack = 70, kLookDown = -0.62;
@@ -19,6 +14,7 @@ const kEye = 1.7;
 const kReaches = [80, 400, 1200];
 /** m: who glides farther rises on the way by this share of it. */
 const kFar = 500, kArch = 0.25;
+const fetchParts = () => import('./flightParts.js');
 /** Pixels of error on screen, by the settings. */
 export const kDetails = { coarse: 4, medium: 2, fine: 1 };
 
@@ -61,6 +57,7 @@ export class Flight {
         if (this.form !== 'auto' || this.probed) return;
         const tile = [...this.flyover.tree.tiles.values()].find(({ prismError, blockMapError }) => prismError !== null && blockMapError !== null);
         if (!tile) return;
+        const { fetchTileShaders, probeForms } = await fetchParts();
         const forms = ['prisms', 'blockMap'], [shaders, ...meshes] = await Promise.all([fetchTileShaders('/client/x3d/'),
             ...forms.map(form => this.load(tile, undefined, form))]);
         forms.forEach((form, i) => this.fetched.set(`${tile.key} ${form}`, meshes[i]));
@@ -83,6 +80,7 @@ export class Flight {
             if (!response.ok) throw new Error('This city was built without tiles: it cannot be flown over. Build it again with `vicus build`.');
             return response;
         };
+        const { Flyover, Flyer, TileWorkshop, fetchLayouts, tileLoader } = await fetchParts();
         const [tree, world, layouts] = await Promise.all([
             get('/blockmaps/tree.json').then(response => response.json()), get('/flyover.x3d').then(response => response.text()),
             fetchLayouts('/client/layout/')]);

@@ -2,7 +2,6 @@ import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
 import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
-import { TileShapes } from '../core/TileShapes.js';
 import { axisAngle } from './axisAngle.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
@@ -133,6 +132,7 @@ export class XIteAdapter {
         const [tiles, blockMaps] = [0, 1].map(i => scene.rootNodes[i].appearance.shaders[0]);
         const group = this.browser.currentScene.createNode('Group');
         this.browser.currentScene.rootNodes.push(group);
+        const { TileShapes } = await import('./flightParts.js');
         return new TileShapes({ scene: this.browser.currentScene, group, shaders: { tiles, blockMaps },
             types: this.X3D, pictures: kPictures, beyond: layout.GROUND_BEYOND_CITY });
     }
