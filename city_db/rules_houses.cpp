@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "city_db/boxes.hpp"
+#include "city_db/polygon_edges.hpp"
 #include "city_db/rules_cells.hpp"
 #include "city_db/rules_parts.hpp"
 
@@ -8,15 +9,6 @@ namespace vicus::rules {
 namespace {
 
 constexpr std::int64_t kCellMm = 32'000;  ///< about a house and its garden
-
-template <class Visit>
-void visit_edges(const Polygon& polygon, Visit visit) {
-  const auto ring = [&](const Ring& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) visit(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
-  };
-  ring(polygon.outer);
-  for (const auto& hole : polygon.holes) ring(hole);
-}
 
 /// A point of the half lattice: coordinates in half millimetres, |c| < 2^31.
 struct HalfPoint {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "city_db/boxes.hpp"
+#include "city_db/polygon_edges.hpp"
 #include "city_db/rules_exact.hpp"
 #include "city_db/rules_parts.hpp"
 #include "city_db/segment.hpp"
@@ -11,15 +12,6 @@
 /// Interiors: no part of the walkable ground, so they have rules of their own, under the headings of DESIGN §3.
 namespace vicus::rules {
 namespace {
-
-template <class Visit>
-void visit_edges(const Polygon& polygon, Visit visit) {
-  const auto ring = [&](const Ring& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) visit(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
-  };
-  ring(polygon.outer);
-  for (const auto& hole : polygon.holes) ring(hole);
-}
 
 enum class Place { outside, edge, inside };
 

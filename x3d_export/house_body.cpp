@@ -60,7 +60,7 @@ std::vector<RoofTriangle> roof_triangles(const Building& house) {
 
 double wall_top_m(const Building& house) { return house.eave_m > house.base_m ? house.eave_m : house.height_m; }
 
-void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn) {
+void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn_elsewhere) {
   add_roof(faces, house);
   if (house.base_m > 0) {
     add_underside(faces, house);
@@ -69,7 +69,7 @@ void add_body(FaceList& faces, const Building& house, const std::function<bool(c
     return;
   }
   for (const auto& wall : house.side_walls)
-    if (!is_drawn || !is_drawn(wall))
+    if (!is_drawn_elsewhere || !is_drawn_elsewhere(wall))
       faces.add_wall(wall.b, wall.a, wall.bottom_m, wall_top_m(house), house.wall_colour);
 }
 

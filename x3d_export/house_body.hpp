@@ -9,9 +9,10 @@ namespace vicus {
 /// Top of a house's walls, metres above ground: the eave, where the roof begins.
 double wall_top_m(const Building& house);
 
-/// Roof and side walls, but those that `is_drawn` is true of (may be empty); of a house over a passage also its outer
-/// walls and underside.
-void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn = {});
+/// Roof and side walls, but those that `is_drawn_elsewhere` is true of (it may be empty); of a house over a passage
+/// also its outer walls and underside.
+void add_body(FaceList& faces, const Building& house,
+              const std::function<bool(const SideWall&)>& is_drawn_elsewhere = {});
 
 inline constexpr int kChimneyTriangles = 10;
 /// At most `most` chimneys in the middle of the roof's largest triangles: one to 70 m2 of houses that are lived in.

@@ -37,13 +37,6 @@ PlanPoint middle_of_common_box(const PlanBox& a, const PlanBox& b) {
           middle(std::max(a.min.y, b.min.y), std::min(a.max.y, b.max.y))};
 }
 
-/// An upper bound of the area that two footprints can share.
-double common_box_m2(const PlanBox& a, const PlanBox& b) {
-  const auto extent = [](std::int32_t low, std::int32_t high) { return metres(std::int64_t{high} - low); };
-  return std::max(0.0, extent(std::max(a.min.x, b.min.x), std::min(a.max.x, b.max.x))) *
-         std::max(0.0, extent(std::max(a.min.y, b.min.y), std::min(a.max.y, b.max.y)));
-}
-
 std::string with_unit(double value, const char* format) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);

@@ -73,4 +73,10 @@ double shared_area_m2(const Polygon& a, const Polygon& b) {
   return std::max(sum, 0.0);
 }
 
+double common_box_m2(const PlanBox& a, const PlanBox& b) {
+  const auto extent = [](std::int32_t low, std::int32_t high) { return metres(std::int64_t{high} - low); };
+  return std::max(0.0, extent(std::max(a.min.x, b.min.x), std::min(a.max.x, b.max.x))) *
+         std::max(0.0, extent(std::max(a.min.y, b.min.y), std::min(a.max.y, b.max.y)));
+}
+
 }  // namespace vicus

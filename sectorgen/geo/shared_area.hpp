@@ -9,4 +9,7 @@ namespace vicus {
 /// Error   below 1e-6 m2 for houses (rounding of sums).   Cost  product of the edge counts near the common box.
 double shared_area_m2(const Polygon& a, const Polygon& b);
 
+/// Area that two boxes share: an upper bound of what is inside them, square metres.
+double common_box_m2(const PlanBox& a, const PlanBox& b);
+
 }  // namespace vicus

@@ -9,6 +9,7 @@
 
 #include "city_db/facade_layout.hpp"
 #include "city_db/house_parts.hpp"
+#include "city_db/polygon_edges.hpp"
 #include "city_db/segment.hpp"
 #include "city_db/wall_stretches.hpp"
 #include "sectorgen/models/facade_choice.hpp"
@@ -92,12 +93,7 @@ class FacadeLayout {
     for (const Building& part : city_.buildings) {
       const auto house = part.tags.find(kPartOf);
       if (house == part.tags.end() || part.base_m > 0) continue;
-      const auto add = [&](const Ring& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i)
-          house_at.emplace(std::pair(ring[i], ring[(i + 1) % ring.size()]), &house->second);
-      };
-      add(part.footprint.outer);
-      for (const Ring& hole : part.footprint.holes) add(hole);
+      visit_edges(part.footprint, [&](PlanPoint a, PlanPoint b) { house_at.emplace(std::pair(a, b), &house->second); });
     }
     for (const Building& part : city_.buildings) {
       const auto house = part.tags.find(kPartOf);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "city_db/boxes.hpp"
+#include "city_db/polygon_edges.hpp"
 #include "sectorgen/geo/osm_rules.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 #include "sectorgen/geom/polygon.hpp"
@@ -170,15 +171,8 @@ std::vector<RoofWish> guess_roofs(const City& city) {
   const TaggedRoofs tagged(city);
   const bool in_paris = is_paris(city.origin);
   std::vector<PlanEdge> edges;
-  const auto visit = [](const Polygon& polygon, auto each) {
-    const auto ring = [&](const Ring& r) {
-      for (std::size_t i = 0; i < r.size(); ++i) each(PlanEdge{r[i], r[(i + 1) % r.size()]});
-    };
-    ring(polygon.outer);
-    for (const auto& hole : polygon.holes) ring(hole);
-  };
   for (const auto& b : city.buildings)
-    if (b.base_m <= 0) visit(b.footprint, [&](PlanEdge e) { edges.push_back(e); });
+    if (b.base_m <= 0) visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) { edges.push_back({p, q}); });
   std::sort(edges.begin(), edges.end());
 
   std::vector<RoofWish> wishes(city.buildings.size());
@@ -187,8 +181,8 @@ std::vector<RoofWish> guess_roofs(const City& city) {
     RoofRequest& request = wishes[i].request;
     const PlanRectangle box = rectangle_around(b.footprint);
     request.seed = i;
-    visit(b.footprint, [&](PlanEdge e) {
-      request.is_party.push_back(std::binary_search(edges.begin(), edges.end(), PlanEdge{e.second, e.first}));
+    visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) {
+      request.is_party.push_back(std::binary_search(edges.begin(), edges.end(), PlanEdge{q, p}));
     });
     if (const auto form = tagged_form(b.tags)) {
       request.form = *form;

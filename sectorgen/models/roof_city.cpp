@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "city_db/polygon_edges.hpp"
 #include "sectorgen/models/guess_roof.hpp"
 #include "sectorgen/models/roof_fans.hpp"
 #include "sectorgen/models/roof_flat.hpp"
@@ -15,15 +16,6 @@ namespace {
 constexpr double kLeastWall_m = 0.05;  // lower steps between neighbours are not modelled
 
 using PlanEdge = std::pair<PlanPoint, PlanPoint>;
-
-template <class Visit>
-void visit_edges(const Polygon& polygon, Visit visit) {
-  const auto ring = [&](const Ring& r) {
-    for (std::size_t i = 0; i < r.size(); ++i) visit(PlanEdge{r[i], r[(i + 1) % r.size()]});
-  };
-  ring(polygon.outer);
-  for (const auto& hole : polygon.holes) ring(hole);
-}
 
 std::vector<PlanEdge> facade_edges(const City& city) {
   std::vector<PlanEdge> edges;
@@ -40,12 +32,14 @@ void update_side_walls(City& city) {
   const auto facades = facade_edges(city);
   std::vector<std::pair<PlanEdge, double>> eaves;  // of houses on the ground, by edge
   for (const auto& b : city.buildings)
-    if (b.base_m <= 0) visit_edges(b.footprint, [&](PlanEdge e) { eaves.emplace_back(e, b.eave_m); });
+    if (b.base_m <= 0)
+      visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) { eaves.emplace_back(PlanEdge{p, q}, b.eave_m); });
   std::sort(eaves.begin(), eaves.end());
   for (auto& b : city.buildings) {
     if (b.base_m > 0) continue;  // the exporter draws all walls of what hangs in the air
     std::vector<SideWall> walls;
-    visit_edges(b.footprint, [&](PlanEdge e) {
+    visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) {
+      const PlanEdge e{p, q};
       if (std::binary_search(facades.begin(), facades.end(), e)) return;
       const PlanEdge twin{e.second, e.first};
       double bottom = -1;

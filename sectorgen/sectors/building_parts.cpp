@@ -183,12 +183,6 @@ class Columns {
   std::vector<HouseColumn> columns_;
 };
 
-double common_box_m2(const PlanBox& a, const PlanBox& b) {
-  const auto side = [](std::int32_t from, std::int32_t to) { return std::max(0.0, metres(to) - metres(from)); };
-  return side(std::max(a.min.x, b.min.x), std::min(a.max.x, b.max.x)) *
-         side(std::max(a.min.y, b.min.y), std::min(a.max.y, b.max.y));
-}
-
 /// The house that each footprint is a part of: by tag, or because it lies within a larger one's outline.
 std::vector<std::uint32_t> holders_of(const SourceMap& map) {
   std::vector<std::uint32_t> holder(map.footprints.size(), kNoFootprint);
