@@ -69,7 +69,8 @@ class CityMeshBuilder {
   void add_facades(const LevelFaces& facades) {
     for (const Face& face : facades.solid) add(face, Shading::solid, kWhite);
     for (const TexturedFace& face : facades.atlas) add(face, index_.city().meta.at("atlas"));
-    for (const auto& [id, face] : facades.own_images) add(face, id);
+    for (const auto& [id, list] : facades.own_images)
+      for (const TexturedFace& face : list) add(face, id);
   }
 
   std::uint32_t add(const X3dPoint& p) {

@@ -40,7 +40,7 @@ std::vector<std::string> images_of(const SharedCity& city, const Sector& sector,
   for (const LevelPiece& piece : sector_pieces(city.index(), sector)) {
     const LevelFaces& faces = piece.levels[level - 1];
     if (!faces.atlas.empty()) ids.insert(city.city().meta.at("atlas"));
-    for (const auto& [id, face] : faces.own_images) ids.insert(id);
+    for (const auto& [id, list] : faces.own_images) ids.insert(id);
   }
   return {ids.begin(), ids.end()};
 }

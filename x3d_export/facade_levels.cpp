@@ -111,10 +111,9 @@ class FacadeBuilder {
     if (height_mm(z0) >= height_mm(z1) || height_mm(x0) >= height_mm(x1)) return;
     const auto u = [&](double x) { return x / frame_.length_m() * facade_.repeats; };
     const auto v = [&](double z) { return (z - facade_.bottom_m) / (facade_.top_m - facade_.bottom_m); };
-    level.own_images.emplace_back(
-        facade_.texture,
-        TexturedFace{{frame_.at(x0, z0, 0), frame_.at(x1, z0, 0), frame_.at(x1, z1, 0), frame_.at(x0, z1, 0)},
-                     {{{u(x0), v(z0)}, {u(x1), v(z0)}, {u(x1), v(z1)}, {u(x0), v(z1)}}}});
+    level.own_images[facade_.texture].push_back(
+        {{frame_.at(x0, z0, 0), frame_.at(x1, z0, 0), frame_.at(x1, z1, 0), frame_.at(x0, z1, 0)},
+         {{{u(x0), v(z0)}, {u(x1), v(z0)}, {u(x1), v(z1)}, {u(x0), v(z1)}}}});
   }
   void upper_side(LevelFaces& level, double x0, double x1, double z, double back, double out, Colour colour) const {
     add(level, frame_.at(x0, z, back), frame_.at(x0, z, out), frame_.at(x1, z, out), frame_.at(x1, z, back), colour);
@@ -181,7 +180,8 @@ class FacadeBuilder {
 }  // namespace
 
 std::size_t LevelFaces::triangles() const {
-  std::size_t count = 2 * (atlas.size() + own_images.size());
+  std::size_t count = 2 * atlas.size();
+  for (const auto& [texture, faces] : own_images) count += 2 * faces.size();
   for (const Face& face : solid) count += static_cast<std::size_t>(face.count) - 2;
   return count;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <string>
 #include <vector>
 
 #include "city_db/facade_layout.hpp"
@@ -17,8 +19,8 @@ namespace vicus {
 /// Faces in one colour each, and faces under an image.
 struct LevelFaces {
   std::vector<Face> solid;
-  std::vector<TexturedFace> atlas;                               ///< under the atlas of windows and doors
-  std::vector<std::pair<std::string, TexturedFace>> own_images;  ///< id of the texture, face
+  std::vector<TexturedFace> atlas;                              ///< under the atlas of windows and doors
+  std::map<std::string, std::vector<TexturedFace>> own_images;  ///< by id of the texture
   std::size_t triangles() const;
 };
 

@@ -52,7 +52,7 @@ Content content_of(const CityIndex& index, const Sector& sector, Detail detail) 
   content.solid.insert(content.solid.end(), objects.begin(), objects.end());
   LevelFaces facades = sector_facades(index, sector, kImageLevel);
   content.solid.insert(content.solid.end(), facades.solid.begin(), facades.solid.end());
-  for (auto& [image, face] : facades.own_images) content.by_image[image].push_back(face);
+  content.by_image = std::move(facades.own_images);
   if (!facades.atlas.empty()) {
     auto& list = content.by_image[index.city().meta.at("atlas")];
     list.insert(list.end(), facades.atlas.begin(), facades.atlas.end());

@@ -42,10 +42,13 @@ std::map<std::string, Share> shares_of(const CityIndex& index, const Sector& sec
 Node level_node(const LevelFaces& faces, const std::string& atlas) {
   Node group("Group");
   if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid));
-  std::map<std::string, std::vector<TexturedFace>> by_image;
-  for (const auto& [image, face] : faces.own_images) by_image[image].push_back(face);
-  if (!faces.atlas.empty()) by_image[atlas] = faces.atlas;
-  for (const auto& [image, list] : by_image) group.add(textured_shape(image, texture_url(image), list));
+  const auto add = [&](const std::string& image, const std::vector<TexturedFace>& list) {
+    group.add(textured_shape(image, texture_url(image), list));
+  };
+  const auto behind_atlas = faces.own_images.upper_bound(atlas);
+  for (auto at = faces.own_images.begin(); at != behind_atlas; ++at) add(at->first, at->second);
+  if (!faces.atlas.empty()) add(atlas, faces.atlas);
+  for (auto at = behind_atlas; at != faces.own_images.end(); ++at) add(at->first, at->second);
   return group;
 }
 
@@ -137,7 +140,7 @@ LevelFaces sector_facades(const CityIndex& index, const Sector& sector, int leve
     const LevelFaces& faces = piece.levels[level - 1];
     append(all.solid, faces.solid);
     append(all.atlas, faces.atlas);
-    append(all.own_images, faces.own_images);
+    for (const auto& [image, list] : faces.own_images) append(all.own_images[image], list);
   }
   return all;
 }

@@ -2,30 +2,15 @@
 
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <numbers>
+
+#include "x3d_export/numbering.hpp"
 
 namespace vicus {
 namespace {
 
 double unit(std::uint8_t channel) { return channel / 255.0; }
 std::vector<double> values_of(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
-
-/// Numbers things in the order in which they first come.
-template <class T>
-class Numbering {
- public:
-  std::int32_t operator()(const T& item) {
-    const auto [at, is_new] = numbers_.emplace(item, static_cast<std::int32_t>(numbers_.size()));
-    if (is_new) items_.push_back(item);
-    return at->second;
-  }
-  const std::vector<T>& items() const { return items_; }
-
- private:
-  std::map<T, std::int32_t> numbers_;
-  std::vector<T> items_;
-};
 
 Node appearance_of(Shading shading, Colour colour, bool is_coloured_by_face) {
   Node material("Material");

@@ -15,19 +15,62 @@ constexpr double kReach_m = 32;    // of ambient light
 constexpr float kReflects = 0.5f;  // of the light that falls on walls: yards are not black
 constexpr int kMostReach = 16;     // samples
 constexpr int kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16};
+constexpr int kLanes = 64;  // samples at a time: so many that the loops over them stay loops
 
 struct Sum {
   ColourMean colour;
   double weight = 0;
 };
 
-ColourMean colour_of_kind(std::uint8_t kind) {
+/// Colours of kinds, by GroundColours::kind_.
+const std::array<ColourMean, 16>& colours_of_kinds() {
   static const auto kColours = [] {
     std::array<ColourMean, 16> out{};
     for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i + 1] = mean_of(surface_colour(static_cast<SurfaceKind>(i)));
     return out;
   }();
-  return kColours[kind];
+  return kColours;
+}
+
+/// The sum over count x count samples, from one row to the next `stride` apart.
+Sum sum_of(const std::uint8_t* kinds, std::size_t count, std::size_t stride) {
+  const auto& colours = colours_of_kinds();
+  std::array<int, 16> times{};
+  for (std::size_t y = 0; y < count; ++y)
+    for (std::size_t x = 0; x < count; ++x) ++times[kinds[y * stride + x]];
+  Sum sum;
+  for (std::size_t kind = 1; kind < times.size(); ++kind)
+    if (times[kind] > 0) {
+      sum.colour = sum.colour + colours[kind] * times[kind];
+      sum.weight += times[kind];
+    }
+  return sum;
+}
+
+/// Ambient light of kLanes samples in a row of a height field `width` samples wide.
+std::array<std::uint8_t, kLanes> light_of_lanes(const float* up, int width, int reach, float spacing) {
+  constexpr int kDirections[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  std::array<float, kLanes> sky{};
+  for (const auto& d : kDirections) {
+    const float unit = spacing * (d[0] != 0 && d[1] != 0 ? 1.41421356f : 1.0f);
+    std::array<float, kLanes> tangent{};
+    for (const int step : kSteps) {
+      if (step > reach) break;
+      const float* from = up + step * (d[1] * width + d[0]);
+      const float per_metre = 1 / (unit * static_cast<float>(step));
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const float rise = (from[k] - up[k]) * per_metre;
+        tangent[k] = tangent[k] < rise ? rise : tangent[k];
+      }
+    }
+    for (std::size_t k = 0; k < kLanes; ++k) sky[k] += 1 / (1 + tangent[k] * tangent[k]);
+  }
+  std::array<std::uint8_t, kLanes> light{};
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const float seen = sky[k] / 8;
+    light[k] = static_cast<std::uint8_t>(seen / (1 - kReflects * (1 - seen)) * 255 + 0.5f);
+  }
+  return light;
 }
 
 /// The colour at a square of half the size, between the four nearest of n x n.
@@ -67,15 +110,9 @@ GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
 }
 
 ColourMean GroundColours::of_cell(std::size_t column, std::size_t row) const {
-  ColourMean sum;
-  double weight = 0;
-  for (std::size_t y = row * kSamples; y < (row + 1) * kSamples; ++y)
-    for (std::size_t x = column * kSamples; x < (column + 1) * kSamples; ++x)
-      if (const std::uint8_t kind = kind_[y * side_ * kSamples + x]; kind != 0) {
-        sum = sum + colour_of_kind(kind);
-        weight += 1;
-      }
-  return weight > 0 ? sum * (1 / weight) : mean_of(kBeyondCity);
+  const std::size_t stride = side_ * kSamples;
+  const Sum sum = sum_of(&kind_[row * kSamples * stride + column * kSamples], kSamples, stride);
+  return sum.weight > 0 ? sum.colour * (1 / sum.weight) : mean_of(kBeyondCity);
 }
 
 RgbImage GroundColours::filled(double reach_m) const {
@@ -83,16 +120,10 @@ RgbImage GroundColours::filled(double reach_m) const {
   std::vector<std::vector<Sum>> levels;
   std::size_t n = side_ / 2;
   levels.emplace_back(n * n);
-  const std::size_t samples = 2 * kSamples;
+  const std::size_t samples = 2 * kSamples, stride = side_ * kSamples;
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column)
-      for (std::size_t y = row * samples; y < (row + 1) * samples; ++y)
-        for (std::size_t x = column * samples; x < (column + 1) * samples; ++x)
-          if (const std::uint8_t kind = kind_[y * side_ * kSamples + x]; kind != 0) {
-            Sum& s = levels[0][row * n + column];
-            s.colour = s.colour + colour_of_kind(kind);
-            s.weight += 1;
-          }
+      levels[0][row * n + column] = sum_of(&kind_[row * samples * stride + column * samples], samples, stride);
   for (double square_m = texel_m_; n > 1 && square_m < reach_m; n /= 2, square_m *= 2) {
     std::vector<Sum> next(n / 2 * (n / 2));
     for (std::size_t row = 0; row < n; ++row)
@@ -129,7 +160,8 @@ std::vector<std::uint8_t> ambient_light(const BakeScene& scene, const TileFrame&
   const int reach = std::clamp(static_cast<int>(kReach_m / spacing), 1, kMostReach);
   const int half = static_cast<int>(frame.side / 2), width = half + 2 * reach;
   const double west = frame.west_m() - reach * spacing, south = frame.south_m() - reach * spacing;
-  std::vector<float> up(static_cast<std::size_t>(width) * static_cast<std::size_t>(width), 0.0f);
+  // A row's last lanes may lie beyond it: they are thrown away, but must be there.
+  std::vector<float> up(static_cast<std::size_t>(width) * static_cast<std::size_t>(width) + kLanes, 0.0f);
   if (!scene.terrain().height_mm.empty())
     for (int row = 0; row < width; ++row)
       for (int column = 0; column < width; ++column)
@@ -150,26 +182,12 @@ std::vector<std::uint8_t> ambient_light(const BakeScene& scene, const TileFrame&
       });
     }
   }
-  std::vector<std::uint8_t> out;
-  out.reserve(static_cast<std::size_t>(half) * static_cast<std::size_t>(half));
-  constexpr int kDirections[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-  for (int row = reach; row < reach + half; ++row)
-    for (int column = reach; column < reach + half; ++column) {
-      const int at = row * width + column;
-      const float own = up[static_cast<std::size_t>(at)];
-      float sky = 0;
-      for (const auto& d : kDirections) {
-        const float unit = static_cast<float>(spacing) * (d[0] != 0 && d[1] != 0 ? 1.41421356f : 1.0f);
-        float tangent = 0;
-        for (const int step : kSteps) {
-          if (step > reach) break;
-          const float rise = up[static_cast<std::size_t>(at + step * (d[1] * width + d[0]))] - own;
-          tangent = std::max(tangent, rise / (unit * static_cast<float>(step)));
-        }
-        sky += 1 / (1 + tangent * tangent);
-      }
-      const float seen = sky / 8;
-      out.push_back(static_cast<std::uint8_t>(seen / (1 - kReflects * (1 - seen)) * 255 + 0.5f));
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(half) * static_cast<std::size_t>(half));
+  for (int row = 0; row < half; ++row)
+    for (int column = 0; column < half; column += kLanes) {
+      const auto light = light_of_lanes(&up[static_cast<std::size_t>((row + reach) * width + column + reach)], width,
+                                        reach, static_cast<float>(spacing));
+      std::copy_n(light.begin(), std::min(kLanes, half - column), out.begin() + std::ptrdiff_t{row} * half + column);
     }
   return out;
 }

@@ -11,7 +11,7 @@ std::string encode_webp(const RgbImage& image, int quality) {
   WebPConfig config;
   WebPPicture picture;
   bool good = WebPConfigInit(&config) != 0 && WebPPictureInit(&picture) != 0;
-  config.method = 4;
+  config.method = 2;  // 43 % of the time of 4 for 1.7 % more bytes (pictures of 202 tiles)
   config.thread_level = 0;
   if (quality > 100) {
     config.lossless = 1;

@@ -93,7 +93,8 @@ Bytes packed_rows(const Indexed& image, int bits) {
 }
 
 Bytes deflated(const Bytes& data) {
-  const Handle<libdeflate_compressor, libdeflate_free_compressor> compressor(libdeflate_alloc_compressor(10));
+  thread_local const Handle<libdeflate_compressor, libdeflate_free_compressor> compressor(
+      libdeflate_alloc_compressor(10));
   if (!compressor) throw CityError("an image could not be packed: out of memory");
   Bytes out(libdeflate_zlib_compress_bound(compressor.get(), data.size()));
   out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(), out.size()));

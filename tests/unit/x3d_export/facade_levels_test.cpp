@@ -59,7 +59,7 @@ TEST_P(EachStyle, TheDeepWallAndItsOpeningsCoverTheFrontOnce) {
       south_front(GetParam(), GetParam() == FacadeStyle::church || GetParam() == FacadeStyle::shed ? 1 : 4, 5);
   const LevelFaces level = built(f).levels[3];
   double wall = 0, openings = 0;
-  for (const auto& [image, face] : level.own_images) {
+  for (const TexturedFace& face : level.own_images.begin()->second) {
     const Vec area = area_of(face, 4);
     EXPECT_GT(area[2], 0) << "a piece of wall looks into the house";
     EXPECT_NEAR(area[0], 0, 1e-9);
@@ -75,7 +75,8 @@ TEST_P(EachStyle, TheDeepWallAndItsOpeningsCoverTheFrontOnce) {
 
 TEST_P(EachStyle, ImagesOfTheDeepWallLieWhereTheWholeImageHasThem) {
   const Facade f = south_front(GetParam(), 1, 5);
-  for (const auto& [image, face] : built(f).levels[3].own_images)
+  const Built b = built(f);
+  for (const TexturedFace& face : b.levels[3].own_images.begin()->second)
     for (std::size_t k = 0; k < 4; ++k) {
       EXPECT_NEAR(face.uv[k][0], metres(face.corners[k].x) / 12.5, 1e-4);
       EXPECT_NEAR(face.uv[k][1], metres(face.corners[k].y) / 15, 1e-4);

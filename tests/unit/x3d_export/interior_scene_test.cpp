@@ -129,7 +129,8 @@ std::vector<Face> facade_of(const Sample& sample, Detail detail) {
     faces.insert(faces.end(), f.solid.begin(), f.solid.end());
     const auto add = [&](const TexturedFace& t) { faces.push_back({t.corners, 4, {}}); };
     for (const auto& t : f.atlas) add(t);
-    for (const auto& [image, t] : f.own_images) add(t);
+    for (const auto& [image, list] : f.own_images)
+      for (const auto& t : list) add(t);
   }
   return faces;
 }
