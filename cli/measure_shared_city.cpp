@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "city_db/boxes.hpp"
+#include "city_db/seen_houses.hpp"
 #include "city_db/terrain.hpp"
 #include "city_db/tile_tree.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
@@ -54,7 +55,11 @@ std::vector<std::pair<const Sector*, VisibleReason>> SharedCity::seen_from(const
   };
   for (const Gate* gate : index_->gates_of(sector_id))
     if (!gate->to_sector_id.empty()) add(gate->to_sector_id, VisibleReason::gate);
-  for (const Visible* v : index_->visible_from(sector_id)) add(v->visible_sector_id, v->reason);
+  for (const Visible* v : index_->visible_from(sector_id)) {
+    // Ground seen over lower houses is sent as what is seen along streets.
+    const bool is_ground = v->reason == VisibleReason::over_roofs && !is_of_houses_alone(*v);
+    add(v->visible_sector_id, is_ground ? VisibleReason::line_of_sight : v->reason);
+  }
   return out;
 }
 

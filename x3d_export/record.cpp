@@ -6,6 +6,7 @@
 #include <set>
 
 #include "city_db/boxes.hpp"
+#include "city_db/seen_houses.hpp"
 #include "x3d_export/objects.hpp"
 #include "x3d_export/text.hpp"
 
@@ -142,7 +143,7 @@ SectorRecord sector_record(const RecordSource& source, const Sector& sector, int
   for (const auto& id : behind) record.reasons.emplace(id, VisibleReason::gate);
   for (const auto& v : source.visible_from(sector.id)) {
     if (!record.reasons.emplace(v.visible_sector_id, v.reason).second) continue;
-    if (v.reason == VisibleReason::over_roofs) record.over_roofs.push_back(v.visible_sector_id);
+    if (is_of_houses_alone(v)) record.over_roofs.push_back(v.visible_sector_id);
     if (!v.is_proven) record.unresolved.push_back(v.visible_sector_id);
   }
   std::sort(record.over_roofs.begin(), record.over_roofs.end());

@@ -7,7 +7,7 @@
 #include "city_db/run_parallel.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/visibility/horizon.hpp"
-#include "sectorgen/visibility/roof_targets.hpp"
+#include "sectorgen/visibility/sight_regions.hpp"
 
 namespace vicus {
 namespace {
@@ -23,53 +23,6 @@ double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// A node of a tree, or a part of a leaf's segment.
-struct Region {
-  Spot centre;
-  double radius = 0;
-  Spot a, b;                      // of a segment
-  std::uint32_t node = kNowhere;  // an inner node; else a segment
-  std::uint32_t segment = kNowhere, house = kNowhere;
-  double low_m = 0, top_m = 0, up_a = 0, up_b = 0;  // of a segment the heights of a and b
-  bool is_segment() const { return node == kNowhere; }
-};
-
-Region region_of(const SegmentTree& tree, std::uint32_t node) {
-  const SegmentNode& n = tree.nodes[node];
-  Region region{n.centre, n.radius, {}, {}, node, n.segment, n.house, n.low_m, n.top_m};
-  if (n.segment != kNowhere) {
-    region.node = kNowhere;
-    region.a = tree.segments[n.segment].a;
-    region.b = tree.segments[n.segment].b;
-    region.up_a = tree.segments[n.segment].up_a;
-    region.up_b = tree.segments[n.segment].up_b;
-  }
-  return region;
-}
-
-std::pair<Region, Region> halves(const SegmentTree& tree, const Region& region) {
-  if (!region.is_segment()) {
-    const SegmentNode& n = tree.nodes[region.node];
-    return {region_of(tree, n.left), region_of(tree, n.right)};
-  }
-  Region first = region, second = region;
-  first.b = second.a = region.centre;
-  first.up_b = second.up_a = (region.up_a + region.up_b) / 2;
-  for (Region* half : {&first, &second}) {
-    half->low_m = std::min(half->up_a, half->up_b);
-    half->top_m = std::max(half->up_a, half->up_b);
-    half->centre = {(half->a.x + half->b.x) / 2, (half->a.y + half->b.y) / 2};
-    half->radius = region.radius / 2;
-  }
-  return {first, second};
-}
-
-/// The middle of a segment, moved to its left (metres; negative: to its right).
-Spot beside(const Region& segment, double left_m) {
-  const double dx = segment.b.x - segment.a.x, dy = segment.b.y - segment.a.y, length = std::hypot(dx, dy);
-  return {segment.centre.x - dy / length * left_m, segment.centre.y + dx / length * left_m};
 }
 
 double highest_ground(const Sector& sector, const Terrain& terrain) {
@@ -111,12 +64,12 @@ class Scene {
 /// All of one thread's work on one sector after the other.
 class Explorer {
  public:
-  Explorer(const Scene& scene, const RoofOptions& options)
+  Explorer(const Scene& scene, std::size_t sectors, const RoofOptions& options)
       : scene_(scene),
         options_(options),
         horizon_(scene.field),
         state_(scene.targets.showings.size()),
-        unknown_in_(scene.walls.houses().size()),
+        unknown_in_(scene.targets.houses + sectors),
         effort_(scene.targets.showings.size()),
         blocker_(scene.targets.tree.segments.size()) {}
 
@@ -145,7 +98,8 @@ class Explorer {
     pairs_s += thread_seconds() - closer;
     std::vector<RoofSight> out;
     for (const std::uint32_t i : found_)
-      out.push_back({showings[i].sector, showings[i].house, state_[i] == State::known});
+      out.push_back({showings[i].sector, is_ground(showings[i].house) ? RoofSight::kGround : showings[i].house,
+                     state_[i] == State::known});
     std::sort(out.begin(), out.end(), [](const RoofSight& a, const RoofSight& b) {
       return std::pair(a.sector, a.house) < std::pair(b.sector, b.house);
     });
@@ -162,6 +116,8 @@ class Explorer {
     };
     return has(level.visible[sector], showing.sector) || (showing.is_owner && has(level.houses[sector], showing.house));
   }
+
+  bool is_ground(std::uint32_t house) const { return house >= scene_.targets.houses; }
 
   State state_of(const Region& target) const { return state_[scene_.targets.showing[target.segment]]; }
 
@@ -345,10 +301,11 @@ class Explorer {
     return false;
   }
 
-  /// A line from the middle of the eyes to the middle of the wall's top meets no house.
+  /// A line from the middle of the eyes to the middle of the wall's top, or to the ground there, meets no house.
   bool is_seen(const Region& eyes, const Region& target) {
     if (++effort_of(target).rays > options_.most_rays) return false;
     ++rays;
+    if (is_ground(target.house)) return is_ground_seen(beside(eyes, kInset_m), target.centre);
     const HouseBody& body = scene_.walls.houses()[target.house];
     const bool is_wall = scene_.targets.is_wall[target.segment];
     const Spot p = beside(eyes, kInset_m), q = is_wall ? beside(target, -kInset_m) : target.centre;
@@ -357,6 +314,11 @@ class Explorer {
                  q_up = is_wall ? std::min(middle_m, body.sure_eave_m) - kInset_m : std::min(middle_m, body.sure_top_m);
     return scene_.walls.is_clear(p, p_up, q, q_up, is_wall ? HouseWalls::kNoHouse : target.house) &&
            is_above_ground(p, p_up, q, q_up);
+  }
+
+  bool is_ground_seen(Spot p, Spot q) const {
+    const double p_up = ground_at(p) + kEyeTop_m, q_up = ground_at(q) + kInset_m;
+    return scene_.walls.is_clear(p, p_up, q, q_up) && is_above_ground(p, p_up, q, q_up);
   }
 
   double ground_at(Spot x) const {
@@ -401,7 +363,7 @@ RoofLists sights_over_roofs(const City& city, const SightLists& level, const Roo
   lists.scene_s = thread_seconds() - begin;
   const unsigned threads = thread_count(options.threads);
   std::vector<Explorer> explorers;
-  for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, options);
+  for (unsigned t = 0; t < threads; ++t) explorers.emplace_back(scene, city.sectors.size(), options);
   run_parallel(city.sectors.size(), threads, [&](std::size_t sector, unsigned thread) {
     if (sector % options.every != 0) return;
     lists.visible[sector] = explorers[thread].run(city, static_cast<std::uint32_t>(sector), level);

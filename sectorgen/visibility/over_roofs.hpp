@@ -22,6 +22,7 @@ struct RoofOptions {
 
 /// A house of the city, seen from a sector: what `sector` sends of it is needed there.
 struct RoofSight {
+  static constexpr std::uint32_t kGround = 0xFFFFFFFFu;  ///< as `house`: the ground of `sector`, seen on a slope
   std::uint32_t sector = 0, house = 0;
   bool is_proven = false;  ///< a line to one of its walls was found; else nothing was found that hides them all
 };
@@ -36,6 +37,7 @@ struct RoofLists {
 
 /// For each sector the houses that some eye in it, at most kEyeTop_m above ground, may see over other houses, by the
 /// sector that sends them (the owner of the roof, the owner of the facade). Conservative: a house left out is hidden.
+/// On a terrain also the sectors whose ground some eye may see over houses.
 ///
 /// Frame   plan, metres; flat ground, houses are prisms.
 /// Needs   `level` of the same city: what is in it is left out here.

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/visibility/ground_targets.hpp"
 
 namespace vicus {
 namespace {
@@ -152,6 +153,8 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
     const auto last_segment = static_cast<std::uint32_t>(targets.tree.segments.size());
     if (last_segment > first_segment) roots.push_back(add_chain(targets.tree, first_segment, last_segment, h));
   }
+  targets.houses = static_cast<std::uint32_t>(city.buildings.size());
+  add_ground_targets(city, targets.houses, targets, roots);
   targets.tree.root = join_trees(targets.tree, roots);
   return targets;
 }

@@ -8,10 +8,10 @@
 /// Trees of short segments: the tops of walls that may be seen, and the rims that eyes stand on.
 namespace vicus {
 
-/// What one sector sends of one house.
+/// What one sector sends of one house, or its ground.
 struct Showing {
-  std::uint32_t sector = 0, house = 0;
-  bool is_owner = false;  ///< it sends the roof, and walls that are no facades
+  std::uint32_t sector = 0, house = 0;  ///< RoofTargets::houses and more: the sector's ground
+  bool is_owner = false;                ///< it sends the roof, and walls that are no facades
 };
 
 /// A disc around everything below. A leaf is one segment.
@@ -41,16 +41,19 @@ std::uint32_t add_chain(SegmentTree& tree, std::uint32_t first, std::uint32_t la
 /// A tree over trees, split where they lie apart.
 std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots);
 
-/// Tops of walls and edges of roofs: whoever sees something of a showing sees one of its segments.
+/// Tops of walls, edges of roofs and, on slopes, of ground: whoever sees something of a showing sees one of its
+/// segments.
 struct RoofTargets {
   SegmentTree tree;
   std::vector<Showing> showings;       ///< by house, then sector
   std::vector<std::uint32_t> showing;  ///< per segment
-  std::vector<char> is_wall;           ///< per segment: of a wall, house on the left; else of a roof
+  std::vector<char> is_wall;           ///< per segment: of a wall, house on the left; else of a roof, or of ground
+  std::uint32_t houses = 0;            ///< of the city
 };
 
 /// The tops of walls that stand higher than the house behind them: for the sector whose facade it is, else the owner.
-/// For the owner the edges of roofs (roof_edges); on slopes, where one looks down on roofs, all.
+/// For the owner the edges of roofs (roof_edges); on slopes, where one looks down on roofs, all, and the ground
+/// (ground_targets.hpp).
 /// Needs  `walls` of the same city.
 RoofTargets make_roof_targets(const City& city, const HouseWalls& walls);
 

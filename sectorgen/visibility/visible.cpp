@@ -11,9 +11,13 @@
 namespace vicus {
 namespace {
 
-/// The houses of one visible sector, one after the other in the list.
+/// What is seen of one visible sector: houses, one after the other in the list, and behind them its ground.
 Visible row_over_roofs(const City& city, const std::string& from, const RoofSight* first, const RoofSight* last) {
   Visible row{from, city.sectors[first->sector].id, VisibleReason::over_roofs, false, {}};
+  if (const RoofSight& ground = *(last - 1); ground.house == RoofSight::kGround) {
+    row.is_proven = ground.is_proven;
+    return row;
+  }
   for (const RoofSight* sight = first; sight != last; ++sight) {
     row.building_ids.push_back(city.buildings[sight->house].id);
     row.is_proven = row.is_proven || sight->is_proven;

@@ -10,6 +10,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "city_db/seen_houses.hpp"
 #include "city_db/store.hpp"
 #include "tests/support/ray_scene.hpp"
 #include "tests/support/street_walk.hpp"
@@ -48,7 +49,7 @@ class Bench {
     for (const auto& v : city_.visible) {
       const std::uint32_t from = sectors_.at(v.sector_id), to = sectors_.at(v.visible_sector_id);
       visible_[from].insert(to);
-      if (v.reason == VisibleReason::over_roofs) only_tall_[from].insert(to);
+      if (is_of_houses_alone(v)) only_tall_[from].insert(to);
       for (const auto& id : v.building_ids) tall_houses_.insert({to, houses_.at(id)});
     }
     for (const auto& gate : city_.gates)

@@ -131,7 +131,7 @@ void RayScene::add_house(std::uint32_t h) {
   });
 }
 
-void RayScene::meet(Vec eye, const Vec* directions, Owner* found) const {
+void RayScene::meet(Vec eye, const Vec* directions, Owner* found, float farthest) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -141,7 +141,7 @@ void RayScene::meet(Vec eye, const Vec* directions, Owner* found) const {
     valid[i] = -1;
     packet.ray.org_x[i] = eye.x, packet.ray.org_y[i] = eye.y, packet.ray.org_z[i] = eye.z;
     packet.ray.dir_x[i] = directions[i].x, packet.ray.dir_y[i] = directions[i].y, packet.ray.dir_z[i] = directions[i].z;
-    packet.ray.tnear[i] = 0, packet.ray.tfar[i] = INFINITY;
+    packet.ray.tnear[i] = 0, packet.ray.tfar[i] = farthest;
     packet.ray.mask[i] = ~0U, packet.ray.flags[i] = 0, packet.ray.time[i] = 0, packet.ray.id[i] = 0;
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;

@@ -1,6 +1,7 @@
 #pragma once
 #include <embree3/rtcore.h>
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <unordered_map>
@@ -35,8 +36,8 @@ class RayScene {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// What 16 rays from one point meet first; nobody where nothing.
-  void meet(Vec eye, const Vec* directions, Owner* found) const;
+  /// What 16 rays from one point meet first, no farther than so many times `directions`; nobody where nothing.
+  void meet(Vec eye, const Vec* directions, Owner* found, float farthest = INFINITY) const;
 
   double x_of(PlanPoint p) const { return metres(std::int64_t{p.x} - middle().x); }
   double y_of(PlanPoint p) const { return metres(std::int64_t{p.y} - middle().y); }

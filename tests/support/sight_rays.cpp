@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "city_db/run_parallel.hpp"
+#include "city_db/seen_houses.hpp"
 #include "tests/support/ray_scene.hpp"
 
 namespace vicus::test {
@@ -27,7 +28,7 @@ class Promise {
     showing_.resize(city.sectors.size());
     for (const auto& v : city.visible) {
       const std::uint32_t from = sectors.at(v.sector_id), to = sectors.at(v.visible_sector_id);
-      if (v.reason != VisibleReason::over_roofs) whole_[from].insert(to);
+      if (!is_of_houses_alone(v)) whole_[from].insert(to);
       for (const auto& id : v.building_ids) showing_[from].insert({to, houses.at(id)});
     }
   }
@@ -61,8 +62,12 @@ class Shooter {
   /// Packets from one eye in the sector.
   void look_from(std::uint32_t sector, int packets) {
     Vec eye{};
-    if (!find_eye(sector, eye)) return;
+    if (!find_place(sector, 1.2F + 0.8F * share(), eye)) return;
     for (int i = 0; i < packets; ++i) {
+      if (!city_.terrain.height_mm.empty() && i % 4 == 3) {
+        look_at_ground(sector, eye);
+        continue;
+      }
       const bool is_aimed = i % 2 == 0 && !aims_.empty();
       const float turn = share() * 6.2831853F;
       const std::uint32_t house = is_aimed ? aims_[static_cast<std::size_t>(random_() % aims_.size())] : 0;
@@ -79,13 +84,14 @@ class Shooter {
  private:
   float share() { return std::uniform_real_distribution<float>(0, 1)(random_); }
 
-  bool find_eye(std::uint32_t s, Vec& eye) {
+  /// Somewhere in the sector, so high above its ground.
+  bool find_place(std::uint32_t s, float above_m, Vec& place) {
     const Sector& sector = city_.sectors[s];
     std::vector<PlanPoint> points = sector.ground.outer;
     for (const auto& hole : sector.ground.holes) points.insert(points.end(), hole.begin(), hole.end());
     const auto& t = sector.ground_triangles;
     const std::size_t k = 3 * static_cast<std::size_t>(random_() % (t.size() / 3));
-    // Anywhere in a triangle, moved towards its middle by the inset; half of the eyes stand at a rim.
+    // Anywhere in a triangle, moved towards its middle by the inset; half of the places are at a rim.
     float u = share(), v = share() * (share() < 0.5F ? 1.F : 0.02F);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     float x[3], y[3];
@@ -93,14 +99,38 @@ class Shooter {
       x[i] = static_cast<float>(scene_.x_of(points[t[k + i]]));
       y[i] = static_cast<float>(scene_.y_of(points[t[k + i]]));
     }
-    eye = {x[0] + u * (x[1] - x[0]) + v * (x[2] - x[0]), y[0] + u * (y[1] - y[0]) + v * (y[2] - y[0]),
-           1.2F + 0.8F * share()};
-    const float mx = (x[0] + x[1] + x[2]) / 3 - eye.x, my = (y[0] + y[1] + y[2]) / 3 - eye.y, m = std::hypot(mx, my);
+    place = {x[0] + u * (x[1] - x[0]) + v * (x[2] - x[0]), y[0] + u * (y[1] - y[0]) + v * (y[2] - y[0]), above_m};
+    const float mx = (x[0] + x[1] + x[2]) / 3 - place.x, my = (y[0] + y[1] + y[2]) / 3 - place.y;
+    const float m = std::hypot(mx, my);
     if (m < 2 * kInset_m) return false;
-    eye.x += mx / m * kInset_m;
-    eye.y += my / m * kInset_m;
-    eye.z += static_cast<float>(scene_.ground_at(eye.x, eye.y));
+    place.x += mx / m * kInset_m;
+    place.y += my / m * kInset_m;
+    place.z += static_cast<float>(scene_.ground_at(place.x, place.y));
     return true;
+  }
+
+  /// Any place on a slope, over lower houses too.
+  void look_at_ground(std::uint32_t sector, Vec eye) {
+    const auto seen = static_cast<std::uint32_t>(random_() % city_.sectors.size());
+    Vec place{};
+    if (!find_place(seen, 0.005F, place)) return;
+    const float length = std::hypot(place.x - eye.x, place.y - eye.y);
+    for (float at = 0; at < length; at += 0.5F) {
+      const float x = std::lerp(eye.x, place.x, at / length), y = std::lerp(eye.y, place.y, at / length);
+      if (std::lerp(eye.z, place.z, at / length) < static_cast<float>(scene_.ground_at(x, y))) return;
+    }
+    Vec directions[16];
+    const auto aside = [&] { return 0.01F * (share() - 0.5F); };
+    for (auto& d : directions) d = {place.x + aside() - eye.x, place.y + aside() - eye.y, place.z - eye.z};
+    Owner found[16];
+    scene_.meet(eye, directions, found, 1 - kInset_m / length);
+    rays += 16;
+    if (std::count_if(found, found + 16, [](Owner o) { return o.house == kNobody; }) < 6) return;
+    const Owner ground{seen, kNobody, false};
+    pairs.insert((std::uint64_t{sector} << 32) | seen);
+    if (!promise_.holds(sector, ground))
+      missing.insert(promise_.describe(sector, ground) + " at " + std::to_string(place.x) + " " +
+                     std::to_string(place.y) + " from " + std::to_string(eye.x) + " " + std::to_string(eye.y));
   }
 
   Vec towards(Vec eye, const Building& house) {
