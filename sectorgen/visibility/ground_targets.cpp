@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "city_db/terrain.hpp"
+#include "sectorgen/visibility/spot_box.hpp"
 
 namespace vicus {
 namespace {
@@ -20,8 +21,8 @@ class GroundPieces {
   GroundPieces(const Terrain& terrain, SegmentTree& tree) : terrain_(terrain), tree_(tree) {}
 
   void add(const Piece& piece) {
-    const double most_m = height_range(terrain_, box_of(piece)).greatest_m;
-    const double rise_m = most_m - height_range(terrain_, box_of(piece)).least_m;
+    const auto [least_m, most_m] = height_range(terrain_, box_of(piece));
+    const double rise_m = most_m - least_m;
     int longest = 0;
     for (int k = 1; k < 3; ++k)
       if (length_m(piece, k) > length_m(piece, longest)) longest = k;
@@ -42,13 +43,9 @@ class GroundPieces {
     return std::hypot(b.x - a.x, b.y - a.y);
   }
   static PlanBox box_of(const Piece& piece) {
-    PlanBox box;
-    for (const Spot p : piece.corner) {
-      const auto mm = [](double m, auto rounded) { return static_cast<std::int32_t>(rounded(m * kMmPerMetre)); };
-      box.add({mm(p.x, [](double v) { return std::floor(v); }), mm(p.y, [](double v) { return std::floor(v); })});
-      box.add({mm(p.x, [](double v) { return std::ceil(v); }), mm(p.y, [](double v) { return std::ceil(v); })});
-    }
-    return box;
+    const auto [west, east] = std::minmax({piece.corner[0].x, piece.corner[1].x, piece.corner[2].x});
+    const auto [south, north] = std::minmax({piece.corner[0].y, piece.corner[1].y, piece.corner[2].y});
+    return box_around({west, south}, {east, north});
   }
 
   const Terrain& terrain_;

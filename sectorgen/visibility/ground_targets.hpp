@@ -14,7 +14,7 @@ namespace vicus {
 /// stands between G and either edge. So the edges at H are what is looked for.
 ///
 /// Frame   plan, metres.
-/// Error   a superset: pieces rise by up to kPieceRise_m, and the ground hides nothing.
+/// Error   a superset: pieces rise by up to 1.5 m, more where shorter than 6 m.
 void add_ground_targets(const City& city, std::uint32_t first_house, RoofTargets& targets,
                         std::vector<std::uint32_t>& roots);
 

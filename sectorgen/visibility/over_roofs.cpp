@@ -8,6 +8,7 @@
 #include "city_db/terrain.hpp"
 #include "sectorgen/visibility/horizon.hpp"
 #include "sectorgen/visibility/sight_regions.hpp"
+#include "sectorgen/visibility/spot_box.hpp"
 
 namespace vicus {
 namespace {
@@ -38,6 +39,8 @@ double highest_ground(const Sector& sector, const Terrain& terrain) {
   return highest;
 }
 
+constexpr int kMostHillPlaces = 64;  // looked at along a line
+
 enum class State : char { unknown, open, known };  // known: proven visible, or in sight on the level
 
 /// What was spent on a showing from one sector.
@@ -54,7 +57,10 @@ struct Part {
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
-      : terrain(city.terrain), walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
+      : terrain(city.terrain),
+        walls(city),
+        field(walls, city.terrain, options.grid_cells),
+        targets(make_roof_targets(city, walls)) {}
   const Terrain& terrain;
   HouseWalls walls;
   RoofField field;
@@ -279,6 +285,22 @@ class Explorer {
         blocker = crossing.house;
         return true;
       }
+    return is_behind_a_hill(eyes, target);
+  }
+
+  /// The same with the ground in place of a roof.
+  bool is_behind_a_hill(const Region& eyes, const Region& target) const {
+    const Terrain& terrain = scene_.terrain;
+    if (terrain.height_mm.empty()) return false;
+    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    const int places = std::clamp(static_cast<int>(length / metres(terrain.step_mm)), 4, kMostHillPlaces);
+    for (int i = 1; i < places; ++i) {
+      const double t = static_cast<double>(i) / places, radius = (1 - t) * eyes.radius + t * target.radius;
+      const double x = std::lerp(eyes.centre.x, target.centre.x, t), y = std::lerp(eyes.centre.y, target.centre.y, t);
+      if (height_range(terrain, box_around({x - radius, y - radius}, {x + radius, y + radius})).least_m >=
+          std::lerp(eye_m_, target.top_m, t))
+        return true;
+    }
     return false;
   }
 

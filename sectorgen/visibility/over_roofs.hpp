@@ -39,7 +39,7 @@ struct RoofLists {
 /// sector that sends them (the owner of the roof, the owner of the facade). Conservative: a house left out is hidden.
 /// On a terrain also the sectors whose ground some eye may see over houses.
 ///
-/// Frame   plan, metres; flat ground, houses are prisms.
+/// Frame   plan, metres.
 /// Needs   `level` of the same city: what is in it is left out here.
 /// Error   a superset; what is neither proven visible nor proven hidden at least_radius_m stays in.
 /// Source  Wonka, Wimmer, Schmalstieg, EGRW 2000, §3 (shrunk occluders); research/VISIBILITY.md §4.3 (erosion lemma).

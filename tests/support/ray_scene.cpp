@@ -131,7 +131,7 @@ void RayScene::add_house(std::uint32_t h) {
   });
 }
 
-void RayScene::meet(Vec eye, const Vec* directions, Owner* found, float farthest) const {
+void RayScene::meet(Vec eye, const Vec* directions, Owner* found, float farthest, float* distances) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -147,8 +147,10 @@ void RayScene::meet(Vec eye, const Vec* directions, Owner* found, float farthest
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   rtcIntersect16(valid, scene_, &context, &packet);
-  for (int i = 0; i < 16; ++i)
+  for (int i = 0; i < 16; ++i) {
     found[i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? Owner{} : owners_[packet.hit.primID[i]];
+    if (distances != nullptr) distances[i] = packet.ray.tfar[i];
+  }
 }
 
 }  // namespace vicus::test

@@ -37,7 +37,8 @@ class RayScene {
   RayScene& operator=(const RayScene&) = delete;
 
   /// What 16 rays from one point meet first, no farther than so many times `directions`; nobody where nothing.
-  void meet(Vec eye, const Vec* directions, Owner* found, float farthest = INFINITY) const;
+  /// `distances`: of what they meet, in the same measure.
+  void meet(Vec eye, const Vec* directions, Owner* found, float farthest = INFINITY, float* distances = nullptr) const;
 
   double x_of(PlanPoint p) const { return metres(std::int64_t{p.x} - middle().x); }
   double y_of(PlanPoint p) const { return metres(std::int64_t{p.y} - middle().y); }

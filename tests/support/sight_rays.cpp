@@ -115,10 +115,7 @@ class Shooter {
     Vec place{};
     if (!find_place(seen, 0.005F, place)) return;
     const float length = std::hypot(place.x - eye.x, place.y - eye.y);
-    for (float at = 0; at < length; at += 0.5F) {
-      const float x = std::lerp(eye.x, place.x, at / length), y = std::lerp(eye.y, place.y, at / length);
-      if (std::lerp(eye.z, place.z, at / length) < static_cast<float>(scene_.ground_at(x, y))) return;
-    }
+    if (!is_above_ground(eye, {place.x - eye.x, place.y - eye.y, place.z - eye.z}, 1)) return;
     Vec directions[16];
     const auto aside = [&] { return 0.01F * (share() - 0.5F); };
     for (auto& d : directions) d = {place.x + aside() - eye.x, place.y + aside() - eye.y, place.z - eye.z};
@@ -150,10 +147,24 @@ class Shooter {
     return {std::cos(angle), std::sin(angle), rise};
   }
 
+  /// Always on the flat, where the ground is in the scene.
+  bool is_above_ground(Vec eye, Vec direction, float farthest) const {
+    if (city_.terrain.height_mm.empty() || std::isinf(farthest)) return true;
+    const float step = 0.5F / std::hypot(direction.x, direction.y);
+    for (float at = 0; at < farthest; at += step)
+      if (eye.z + at * direction.z <
+          static_cast<float>(scene_.ground_at(eye.x + at * direction.x, eye.y + at * direction.y)))
+        return false;
+    return true;
+  }
+
   void shoot(std::uint32_t sector, Vec eye, const Vec* directions) {
     Owner found[16];
-    scene_.meet(eye, directions, found);
+    float distances[16];
+    scene_.meet(eye, directions, found, INFINITY, distances);
     rays += 16;
+    for (int i = 0; i < 16; ++i)
+      if (found[i].sector != kNobody && !is_above_ground(eye, directions[i], distances[i])) found[i] = Owner{};
     if (is_level_) forget_what_is_over_roofs(eye, directions, found);
     for (int i = 0; i < 16; ++i) {
       if (found[i].sector == kNobody) continue;

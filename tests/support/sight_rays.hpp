@@ -22,9 +22,9 @@ struct RayReport {
 ///
 /// Where the lists over roofs were not made (meta over_roofs), what a rising ray meets counts only when a level one in
 /// the same direction meets the same house: nothing is asked that is seen over what stops a level look. With a terrain
-/// each house's own 0 is the ground's height at one of its corners, houses reach down for ever, and neither the ground
-/// nor walls stop a ray: rays see more than eyes do. One packet in four is then aimed at a place on some sector's ground:
-/// seen where no house stops it and the line stays above the ground.
+/// each house's own 0 is the ground's height at one of its corners, houses reach down for ever, and walls stop no
+/// ray; what is met below the ground, asked each half metre, does not count. One packet in four is then aimed at a
+/// place on some sector's ground.
 ///
 /// Frame   each eye's own: 32-bit floats hold under 0.1 mm within 1 km.
 /// Needs   City::visible.

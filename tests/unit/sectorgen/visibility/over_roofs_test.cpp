@@ -104,6 +104,32 @@ TEST(SightsOverRoofs, ListARoofBelowThatIsLookedDownAt) {
   EXPECT_TRUE(lists(seen_on(slope(5), city, 1), 2)) << "eyes 38 m up, the first row ends at 20 to 35 m";
 }
 
+/// The street's ground, from the yard over the first row.
+const RoofSight* ground_seen(const std::vector<RoofSight>& sights) {
+  const auto at = std::find_if(sights.begin(), sights.end(),
+                               [](const RoofSight& s) { return s.sector == 0 && s.house == RoofSight::kGround; });
+  return at == sights.end() ? nullptr : &*at;
+}
+
+TEST(SightsOverRoofs, ListGroundBelowThatIsLookedDownAt) {
+  const City city = two_rows(10, 10);
+  EXPECT_FALSE(ground_seen(seen_on({}, city, 1)));
+  EXPECT_FALSE(ground_seen(seen_on(slope(0.5), city, 1)));
+  EXPECT_TRUE(ground_seen(seen_on(slope(5), city, 1))) << "eyes 44 m up, the first row surely ends at 20 m";
+}
+
+TEST(SightsOverRoofs, HideGroundBehindAHill) {
+  // No house between: a wall of earth, 40 m high, where the first row stood.
+  City city = two_rows(1, 1);
+  Terrain hill{{-310'000, -100'000}, 2'000, 400, 150, {}};
+  for (std::uint32_t row = 0; row < hill.rows; ++row)
+    for (std::uint32_t column = 0; column < hill.columns; ++column)
+      hill.height_mm.push_back(std::max(0, 40'000 - 10'000 * std::abs(static_cast<int>(row) - 58)));
+  EXPECT_FALSE(ground_seen(seen_on(hill, city, 1)));
+  for (auto& height : hill.height_mm) height /= 40;
+  EXPECT_TRUE(ground_seen(seen_on(hill, city, 1))) << "a bank of 1 m hides nothing";
+}
+
 TEST(SightsOverRoofs, StillHideOnASlope) {
   // Down a gentle slope the nearer row hides the farther one, as on flat ground.
   City city = two_rows(14, 10);
@@ -219,7 +245,7 @@ TEST(RoofField, IsNeverHigherThanAnyPlaceOfTheDisc) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomBlock block(seed);
     const HouseWalls walls(block.city());
-    const RoofField field(walls, 1'000'000);
+    const RoofField field(walls, {}, 1'000'000);
     int sure = 0;
     for (int i = 0; i < 4000; ++i) {
       const Spot x = block.anywhere();
@@ -284,7 +310,7 @@ TEST(Horizon, NeverHidesWhatSomeEyeOfTheDiscSees) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomBlock block(seed);
     const HouseWalls walls(block.city());
-    const RoofField field(walls, 1'000'000);
+    const RoofField field(walls, {}, 1'000'000);
     Horizon horizon(field);
     int hidden = 0;
     for (int i = 0; i < 200; ++i) {
