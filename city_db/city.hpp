@@ -151,7 +151,22 @@ struct Building {
 
 enum class FacadeStyle { plaster, stone, brick, modern, church, shed };
 
+enum class OpeningKind { tall_window, window, wide_window, church_window, house_door, church_door, gate_door, shop };
+inline constexpr std::size_t kOpeningKinds = 8;
+
+/// A window, door or shop front.
+/// Frame   x in metres from the facade's left end (its point b) seen from outside, z in metres above its bottom.
+struct Opening {
+  OpeningKind kind = OpeningKind::window;
+  double x0 = 0, x1 = 0, z0 = 0, z1 = 0;
+  int floor = 0;
+  int bay = 0;       ///< of the whole facade
+  double depth = 0;  ///< metres behind the facade in the fourth level of detail
+  friend bool operator==(const Opening&, const Opening&) = default;
+};
+
 /// A straight stretch of a facade border with openings: how they are laid out (facade_layout.hpp says where each is).
+/// One with openings of its own has one repeat, floors and bays only count them.
 /// Stretches of borders without one are blind. Paper 004 §4.2.
 struct Facade {
   std::string sector_id, building_id;
@@ -164,6 +179,8 @@ struct Facade {
   int door_bay = -1;  ///< of the pattern, from the left seen from outside; -1: no door
   bool has_shop = false;
   std::string texture;  ///< id of the image of one pattern, for the third level of detail
+  /// As the house's own model has them, apart from each other, floor by floor from the left; none: by the pattern.
+  std::vector<Opening> openings;
 };
 
 /// An image under textures/ID.png; its id is a hash of its content.

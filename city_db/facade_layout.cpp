@@ -90,20 +90,24 @@ const StyleFigures& figures_of(FacadeStyle style) {
   return kPlaster;
 }
 
-double pattern_width_m(const Facade& facade) { return facade.bays * figures_of(facade.style).bay; }
+double pattern_width_m(const Facade& facade) {
+  return facade.openings.empty() ? facade.bays * figures_of(facade.style).bay : length_m(facade);
+}
 
 double pattern_height_m(const Facade& facade) {
+  if (!facade.openings.empty()) return facade.top_m - facade.bottom_m;
   const StyleFigures& f = figures_of(facade.style);
   return f.ground_floor + (facade.floors - 1) * f.storey + f.cornice;
 }
 
 std::vector<Opening> pattern_openings(const Facade& facade) {
+  if (!facade.openings.empty()) return facade.openings;
   const StyleFigures& f = figures_of(facade.style);
   std::vector<Opening> openings;
   for (int bay = 0; bay < facade.bays; ++bay) {
     const double middle = (bay + 0.5) * f.bay;
-    const auto add = [&](Opening o, double floor_z, int floor) {
-      openings.push_back({o.kind, middle + o.x0, middle + o.x1, floor_z + o.z0, floor_z + o.z1, floor, bay});
+    const auto add = [&](const Opening& o, double floor_z, int floor) {
+      openings.push_back({o.kind, middle + o.x0, middle + o.x1, floor_z + o.z0, floor_z + o.z1, floor, bay, f.depth});
     };
     const auto window = [](const WindowFigures& w) {
       return Opening{w.kind, -w.width / 2, w.width / 2, w.sill, w.sill + w.height, 0, 0};
@@ -125,7 +129,7 @@ std::vector<Opening> pattern_openings(const Facade& facade) {
 }
 
 Facade image_pattern(Facade facade) {
-  if (facade.style != FacadeStyle::shed) facade.door_bay = -1;
+  if (facade.style != FacadeStyle::shed && facade.openings.empty()) facade.door_bay = -1;
   return facade;
 }
 
@@ -133,7 +137,13 @@ double length_m(const Facade& facade) {
   return std::hypot(metres(facade.b.x - facade.a.x), metres(facade.b.y - facade.a.y));
 }
 
+int opening_count(const Facade& facade) {
+  return facade.openings.empty() ? facade.floors * facade.bays * facade.repeats
+                                 : static_cast<int>(facade.openings.size());
+}
+
 std::vector<Opening> openings_of(const Facade& facade) {
+  if (!facade.openings.empty()) return facade.openings;
   const auto pattern = pattern_openings(facade);
   const double width = length_m(facade) / facade.repeats, sx = width / pattern_width_m(facade);
   const double sz = (facade.top_m - facade.bottom_m) / pattern_height_m(facade);
@@ -142,14 +152,14 @@ std::vector<Opening> openings_of(const Facade& facade) {
     for (const Opening& o : pattern) {
       // The walls of a church grow with it, its door is made for people.
       const double top = o.kind == OpeningKind::church_door ? std::min(sz * o.z1, kTallestDoor * o.z1) : sz * o.z1;
-      openings.push_back(
-          {o.kind, i * width + sx * o.x0, i * width + sx * o.x1, sz * o.z0, top, o.floor, i * facade.bays + o.bay});
+      openings.push_back({o.kind, i * width + sx * o.x0, i * width + sx * o.x1, sz * o.z0, top, o.floor,
+                          i * facade.bays + o.bay, o.depth});
     }
   return openings;
 }
 
 AtlasTile atlas_tile(OpeningKind kind) {
-  constexpr double kInset = 1.5 / kTilePixels;  // pixels: neighbours stay out of the filter
+  constexpr double kInset = kTileInset_px / kTilePixels;
   const int i = static_cast<int>(kind), column = i % kAtlasColumns, row = i / kAtlasColumns;
   const auto at = [](double n, int of) { return n / of; };
   return {at(column + kInset, kAtlasColumns), at(kAtlasRows - 1 - row + kInset, kAtlasRows),

@@ -84,7 +84,7 @@ std::vector<LevelPiece> pieces_of(const Share& share, PlanPoint origin) {
   PlanBox box;
   int openings = 0;
   for (const Facade& part : parts) {
-    const int count = part.floors * part.bays * part.repeats;
+    const int count = opening_count(part);
     if (openings > 0 && openings + count > kMostOpenings) {
       pieces.emplace_back();
       box = {};
@@ -108,7 +108,7 @@ std::vector<LevelPiece> pieces_of(const Share& share, PlanPoint origin) {
 
 int finest_level(const CityIndex& index, const Sector& sector) {
   int openings = 0;
-  for (const Facade* f : index.facades_of(sector.id)) openings += f->floors * f->bays * f->repeats;
+  for (const Facade* f : index.facades_of(sector.id)) openings += opening_count(*f);
   return openings <= kMostDeepOpenings ? 4 : 3;
 }
 

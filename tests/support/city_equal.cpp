@@ -21,7 +21,7 @@ auto fields(const Building& b) {
 }
 auto fields(const Facade& f) {
   return std::tie(f.sector_id, f.building_id, f.a, f.b, f.bottom_m, f.top_m, f.style, f.floors, f.bays, f.repeats,
-                  f.door_bay, f.has_shop, f.texture);
+                  f.door_bay, f.has_shop, f.texture, f.openings);
 }
 auto fields(const Obstacle& o) { return std::tie(o.kind, o.source_id, o.height_m, o.area); }
 auto fields(const Street& s) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/city_equal.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/support/scratch.hpp"
@@ -26,6 +28,25 @@ TEST(WriteCity, GivesBackEveryRecordAsItWas) {
   const City city = test::sample_city_with_facades();
   write_city(scratch / "city.gpkg", city, one_by_one(some_artefacts()));
   EXPECT_EQ(test::difference(read_city(scratch / "city.gpkg"), city), "");
+}
+
+TEST(WriteCity, GivesBackOpeningsOfHousesOfTheirOwnAndRefusesBrokenOnes) {
+  ScratchDirectory scratch;
+  City city = test::sample_city_with_facades();
+  city.facades[1].openings = {{OpeningKind::house_door, 0.25, 1.3, 0, 2.1, 0, 0, 0.3},
+                              {OpeningKind::shop, 2, 3.75, 0.5, 2.5, 1, 1, 0}};
+  write_city(scratch / "city.gpkg", city, nullptr);
+  EXPECT_EQ(test::difference(read_city(scratch / "city.gpkg"), city), "");
+  const auto refused = [&](const Opening& opening) {
+    city.facades[1].openings = {opening};
+    write_city(scratch / "bad.gpkg", city, nullptr);
+    EXPECT_THROW(read_city(scratch / "bad.gpkg"), CityError);
+  };
+  refused({static_cast<OpeningKind>(8), 0, 1, 0, 1, 0, 0, 0});
+  refused({OpeningKind::window, 1, 1, 0, 1, 0, 0, 0});
+  refused({OpeningKind::window, 0, 1, -1, 1, 0, 0, 0});
+  refused({OpeningKind::window, 0, NAN, 0, 1, 0, 0, 0});
+  refused({OpeningKind::window, 0, 1, 0, 1, 9999, 0, 0});
 }
 
 TEST(WriteCity, GivesBackAnEmptyCity) {
