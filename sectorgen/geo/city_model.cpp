@@ -9,8 +9,10 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "sectorgen/geo/gdal_degrees.hpp"
+#include "sectorgen/geo/model_parts.hpp"
 #include "sectorgen/geo/model_tags.hpp"
 #include "sectorgen/geo/quiet_gdal.hpp"
 
@@ -26,25 +28,6 @@ constexpr double kLeastWidth_m = 0.02;  // narrower slopes are gaps that roundin
 constexpr double kFloor_m = 0.5;        // surfaces that look down, so near to the lowest corner, are on the ground
 
 using GzFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
-
-struct Normal {
-  double x = 0, y = 0, z = 0;
-};
-
-/// Newell's, of unit length; zero for what has no area.
-Normal normal_of(const ModelSurface& surface) {
-  Normal n;
-  const auto& ring = surface.rings[0];
-  const ModelCorner o = ring[0];
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const ModelCorner &p = ring[i], &q = ring[(i + 1) % ring.size()];
-    n.x += (p.y - q.y) * (p.z + q.z - 2 * o.z);
-    n.y += (p.z - q.z) * (p.x + q.x - 2 * o.x);
-    n.z += (p.x - q.x) * (p.y + q.y - 2 * o.y);
-  }
-  const double length = std::hypot(n.x, n.y, n.z);
-  return length > 0 ? Normal{n.x / length, n.y / length, n.z / length} : Normal{};
-}
 
 /// A strip's area over half its outline is its width: in plan, metres.
 double plan_width(const ModelSurface& surface) {
@@ -109,7 +92,6 @@ Stretch stretch_at(const CityModel& model) {
 /// One house's surfaces by use.
 struct Sorted {
   std::vector<const ModelSurface*> ground, up;
-  std::map<std::size_t, std::vector<const ModelSurface*>> doors;  // by element
   double foot = HUGE_VAL, top = -HUGE_VAL;
 };
 
@@ -123,8 +105,7 @@ Sorted sorted(const ModelObject& object) {
       }
   std::vector<const ModelSurface*> down;
   for (const auto& surface : object.surfaces) {
-    const double up = normal_of(surface).z;
-    if (surface.part == ModelPart::door) out.doors[surface.element].push_back(&surface);
+    const double up = unit_normal(surface).z;
     // Semantics first: ground surfaces are often turned over.
     if (surface.part == ModelPart::ground)
       out.ground.push_back(&surface);
@@ -155,7 +136,8 @@ class ModelAdder {
       return;
     }
     const std::string source_id = file_ + "#" + object.id;
-    const Tags tags = model_tags(object.attributes, parts.top - parts.foot);
+    Tags tags = model_tags(object.attributes, parts.top - parts.foot);
+    add_colours(object, tags);
     const auto add_polygon = [&](const OGRPolygon& polygon) {
       RawFeature& feature = features_.emplace_back();
       feature.theme = Theme::building;
@@ -171,9 +153,23 @@ class ModelAdder {
     else
       for (const OGRGeometry* part : *outline->toGeometryCollection())
         if (wkbFlatten(part->getGeometryType()) == wkbPolygon) add_polygon(*part->toPolygon());
-    for (const auto& [element, surfaces] : parts.doors) add_door(object, surfaces);
     RawModel& model = models_.emplace_back();
     model.source_id = source_id;
+    for (const SurfaceGroup& group : opening_groups(object)) {
+      if (group.is_door) add_door(object, group.corners);
+      RawModelOpening& opening = model.openings.emplace_back();
+      opening.is_door = group.is_door;
+      for (const ModelCorner& p : group.corners) opening.corners.push_back({{p.y, p.x}, p.z - parts.foot});
+    }
+    for (const ModelSurface& surface : object.surfaces) {
+      if (surface.image.empty() || std::abs(unit_normal(surface).z) > kLeastUpward) continue;
+      RawModelPhoto& photo = model.photos.emplace_back();
+      photo.image = surface.image;
+      for (const ModelCorner& p : surface.rings[0]) {
+        photo.corners.push_back({{p.y, p.x}, p.z - parts.foot});
+        photo.places.push_back({p.u, p.v});
+      }
+    }
     for (const ModelSurface* surface : parts.up) {
       RawModelFace& face = model.tops.emplace_back();
       for (const auto& ring : surface->rings) {
@@ -198,6 +194,7 @@ class ModelAdder {
       throw CityError(file_ + ": most positions lie outside of where its coordinate system (" + system.name +
                           ") is defined; is it the right one?",
                       4);
+    drop_common_colours();
     for (auto& feature : features_) map_.features.push_back(std::move(feature));
     for (auto& model : models_) map_.models.push_back(std::move(model));
   }
@@ -220,16 +217,34 @@ class ModelAdder {
       for (auto& face : model.tops)
         for (auto& ring : face)
           for (auto& p : ring) visit_one(p.at);
+    for (auto& model : models_) {
+      for (auto& opening : model.openings)
+        for (auto& p : opening.corners) visit_one(p.at);
+      for (auto& photo : model.photos)
+        for (auto& p : photo.corners) visit_one(p.at);
+    }
+  }
+
+  /// A colour that all of many houses have tells walls from roofs, not house from house.
+  void drop_common_colours() {
+    constexpr std::size_t kMany = 20;
+    for (const char* key : {"building:colour", "roof:colour"}) {
+      std::set<std::string> colours;
+      std::size_t count = 0;
+      for (const RawFeature& feature : features_)
+        if (const auto at = feature.tags.find(key); at != feature.tags.end()) colours.insert(at->second), ++count;
+      if (colours.size() != 1 || count < kMany) continue;
+      for (RawFeature& feature : features_) feature.tags.erase(key);
+    }
   }
 
   /// In the middle of all that the door is made of: leaves, frames, panes.
-  void add_door(const ModelObject& object, const std::vector<const ModelSurface*>& surfaces) {
+  void add_door(const ModelObject& object, const std::vector<ModelCorner>& corners) {
     double west = HUGE_VAL, south = HUGE_VAL, east = -HUGE_VAL, north = -HUGE_VAL;
-    for (const ModelSurface* surface : surfaces)
-      for (const ModelCorner& p : surface->rings[0]) {
-        west = std::min(west, p.x), east = std::max(east, p.x);
-        south = std::min(south, p.y), north = std::max(north, p.y);
-      }
+    for (const ModelCorner& p : corners) {
+      west = std::min(west, p.x), east = std::max(east, p.x);
+      south = std::min(south, p.y), north = std::max(north, p.y);
+    }
     RawFeature& feature = features_.emplace_back();
     feature.theme = Theme::object;
     feature.source_id = file_ + "#" + object.id;
@@ -336,7 +351,7 @@ void add_city_model(const fs::path& file, CityModel model, RawMap& map) {
     if (is_lat_first)
       for (auto& surface : object.surfaces)
         for (auto& ring : surface.rings)
-          for (auto& p : ring) p = {p.y * stretch.x, p.x * stretch.y, p.z};
+          for (auto& p : ring) p = {p.y * stretch.x, p.x * stretch.y, p.z, p.u, p.v};
     if (object.surfaces.empty())
       adder.unusable(object, "it has no surfaces");
     else

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,16 @@ namespace vicus {
 /// In the file's own coordinate system: x easting or longitude, y northing or latitude, z up in metres.
 struct ModelCorner {
   double x = 0, y = 0, z = 0;
+  double u = 0, v = 0;  ///< in the surface's image, from its bottom left
 };
 
-enum class ModelPart { other, ground, wall, roof, door };
+enum class ModelPart { other, ground, wall, roof, door, window };
 
 struct ModelSurface {
   ModelPart part = ModelPart::other;
-  std::size_t element = 0;  ///< which of its house's parts it belongs to: a door may have many surfaces
+  std::size_t element = 0;       ///< which of its house's parts it belongs to: a door may have many surfaces
+  std::optional<Colour> colour;  ///< of its material, where the file has one
+  std::filesystem::path image;   ///< that is on it, where the file has one that is there
   std::vector<std::vector<ModelCorner>> rings;  ///< outer first; closed implicitly
 };
 
@@ -36,7 +40,8 @@ struct CityModel {
 };
 
 /// Appends the model's houses: the footprint is the union of the surfaces on the ground (of all that look up, where
-/// there are none), the tags are OSM's; doors become points, and everything that looks up the house's own roof. Fails
+/// there are none), the tags are OSM's; everything that looks up is the house's own roof, windows and doors are its
+/// own, and doors points of the map; the colour that most of its walls (roofs) have is the house's (roof's). Fails
 /// CityError, naming the file: no coordinate system, or one that is not known or cannot be transformed; no house.
 void add_city_model(const std::filesystem::path& file, CityModel model, RawMap& map);
 

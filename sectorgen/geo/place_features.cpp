@@ -228,21 +228,27 @@ class Placer {
   std::vector<Issue>& issues_;
 };
 
-/// Faces with a corner out of reach are left out: their footprint is, too.
+/// Faces and openings with a corner out of reach are left out: their footprint is, too.
 void place_model(const RawModel& raw, const PlanFrame& frame, SourceMap& map) {
   HouseModel& model = map.models[raw.source_id];
+  const auto place = [&](const std::vector<RawModelPoint>& from, std::vector<ModelPoint>& to) {
+    for (const RawModelPoint& p : from)
+      if (const auto at = frame.plan_from_latlon(p.at); at) to.push_back({*at, p.up_m});
+    return to.size() == from.size();
+  };
   for (const RawModelFace& raw_face : raw.tops) {
     ModelFace face;
     bool is_placed = true;
-    for (const auto& raw_ring : raw_face) {
-      auto& ring = face.rings.emplace_back();
-      for (const RawModelPoint& p : raw_ring)
-        if (const auto at = frame.plan_from_latlon(p.at); at)
-          ring.push_back({*at, p.up_m});
-        else
-          is_placed = false;
-    }
+    for (const auto& raw_ring : raw_face) is_placed = place(raw_ring, face.rings.emplace_back()) && is_placed;
     if (is_placed) model.tops.push_back(std::move(face));
+  }
+  for (const RawModelOpening& raw_opening : raw.openings) {
+    ModelOpening opening{raw_opening.is_door, {}};
+    if (place(raw_opening.corners, opening.corners)) model.openings.push_back(std::move(opening));
+  }
+  for (const RawModelPhoto& raw_photo : raw.photos) {
+    ModelPhoto photo{raw_photo.image, {}, raw_photo.places};
+    if (place(raw_photo.corners, photo.corners)) model.photos.push_back(std::move(photo));
   }
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,9 +50,22 @@ struct RawModelPoint {
   double up_m = 0;
 };
 using RawModelFace = std::vector<std::vector<RawModelPoint>>;
+/// A window or door: corners of all that it is made of, frame and panes.
+struct RawModelOpening {
+  bool is_door = false;
+  std::vector<RawModelPoint> corners;
+};
+/// A wall with an image on it; places: of its corners in the image, 0 to 1 from its bottom left.
+struct RawModelPhoto {
+  std::filesystem::path image;
+  std::vector<RawModelPoint> corners;
+  std::vector<std::array<double, 2>> places;
+};
 struct RawModel {
   std::string source_id;
   std::vector<RawModelFace> tops;
+  std::vector<RawModelOpening> openings;
+  std::vector<RawModelPhoto> photos;
 };
 
 struct RawMap {

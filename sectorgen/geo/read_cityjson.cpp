@@ -7,36 +7,18 @@
 #include <tuple>
 
 #include "sectorgen/geo/city_model.hpp"
+#include "sectorgen/geo/cityjson_appearance.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 
 namespace vicus {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// A wrong shape of the file's own: told with the object's name.
 struct ShapeError {
   std::string what;
 };
-
-const Json& member(const Json& object, const char* key) {
-  static const Json kNothing;
-  if (!object.is_object()) return kNothing;
-  const auto at = object.find(key);
-  return at == object.end() ? kNothing : *at;
-}
-
-std::string text_of(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_integer()) return std::to_string(value.get<long long>());
-  if (value.is_number()) {
-    std::ostringstream out;
-    out << value.get<double>();
-    return out.str();
-  }
-  return "";
-}
 
 /// Vertices with the transform that makes them coordinates.
 class Vertices {
@@ -71,6 +53,7 @@ ModelPart part_of(const std::string& semantics) {
   if (semantics == "RoofSurface") return ModelPart::roof;
   if (semantics == "GroundSurface") return ModelPart::ground;
   if (semantics == "WallSurface") return ModelPart::wall;
+  if (semantics == "Window") return ModelPart::window;
   return semantics == "Door" ? ModelPart::door : ModelPart::other;
 }
 
@@ -83,33 +66,41 @@ int depth_of(const std::string& type) {
 
 class ObjectReader {
  public:
-  ObjectReader(const Vertices& vertices, std::vector<ModelSurface>& surfaces)
-      : vertices_(vertices), surfaces_(surfaces) {}
+  ObjectReader(const Vertices& vertices, const CityjsonAppearance& appearance, std::vector<ModelSurface>& surfaces)
+      : vertices_(vertices), appearance_(appearance), surfaces_(surfaces) {}
 
   void read(const Json& geometry) {
     kinds_ = &member(member(geometry, "semantics"), "surfaces");
-    descend(member(geometry, "boundaries"), member(member(geometry, "semantics"), "values"),
+    descend(member(geometry, "boundaries"),
+            {member(member(geometry, "semantics"), "values"), appearance_.material_values(geometry),
+             appearance_.texture_values(geometry)},
             depth_of(text_of(member(geometry, "type"))));
   }
 
  private:
-  void descend(const Json& boundaries, const Json& values, int depth) {
-    if (!boundaries.is_array()) throw ShapeError{"boundaries that are no list"};
-    static const Json kNothing;
-    for (std::size_t i = 0; i < boundaries.size(); ++i) {
-      const Json& value = values.is_array() && i < values.size() ? values[i] : kNothing;
-      if (depth > 0)
-        descend(boundaries[i], value, depth - 1);
-      else
-        add(boundaries[i], value);
+  /// What lies beside the boundaries in lists of the same depth.
+  struct Values {
+    const Json &kind, &material, &texture;
+    Values at(std::size_t i) const {
+      return {entry(kind, i), material.is_number() ? material : entry(material, i), entry(texture, i)};
     }
+  };
+
+  void descend(const Json& boundaries, const Values& values, int depth) {
+    if (!boundaries.is_array()) throw ShapeError{"boundaries that are no list"};
+    for (std::size_t i = 0; i < boundaries.size(); ++i)
+      if (depth > 0)
+        descend(boundaries[i], values.at(i), depth - 1);
+      else
+        add(boundaries[i], values.at(i));
   }
 
-  void add(const Json& rings, const Json& value) {
+  void add(const Json& rings, const Values& values) {
     if (!rings.is_array()) throw ShapeError{"a surface that is no list of rings"};
     ModelSurface surface;
-    if (value.is_number_unsigned() && kinds_->is_array() && value.get<std::size_t>() < kinds_->size()) {
-      surface.element = value.get<std::size_t>();
+    const Json& kind = values.kind;
+    if (kind.is_number_unsigned() && kinds_->is_array() && kind.get<std::size_t>() < kinds_->size()) {
+      surface.element = kind.get<std::size_t>();
       surface.part = part_of(text_of(member((*kinds_)[surface.element], "type")));
     }
     for (const Json& ring : rings) {
@@ -117,10 +108,13 @@ class ObjectReader {
       auto& corners = surface.rings.emplace_back();
       for (const Json& index : ring) corners.push_back(vertices_.at(index));
     }
+    surface.colour = appearance_.colour(values.material);
+    appearance_.put_image(values.texture, surface);
     surfaces_.push_back(std::move(surface));
   }
 
   const Vertices& vertices_;
+  const CityjsonAppearance& appearance_;
   std::vector<ModelSurface>& surfaces_;
   const Json* kinds_ = nullptr;
 };
@@ -169,7 +163,7 @@ void inherit(const Json& objects, const std::string& id, const Json& object, Tag
     if (const auto cut = id.rfind('_'); cut != std::string::npos) add(member(objects, id.substr(0, cut).c_str()));
 }
 
-void read_objects(const Json& json, const Json& transform, CityModel& model) {
+void read_objects(const Json& json, const Json& transform, const CityjsonAppearance& appearance, CityModel& model) {
   const Json& objects = member(json, "CityObjects");
   if (!objects.is_object()) throw ShapeError{"no CityObjects"};
   const Vertices vertices(member(json, "vertices"), transform);
@@ -180,7 +174,7 @@ void read_objects(const Json& json, const Json& transform, CityModel& model) {
     ModelObject out;
     out.id = id;
     try {
-      ObjectReader(vertices, out.surfaces).read(*geometry);
+      ObjectReader(vertices, appearance, out.surfaces).read(*geometry);
     } catch (const ShapeError& error) {
       model.issues.push_back(
           {IssueCode::unreadable_feature, "This house cannot be read: " + error.what + "; left out.", id, {}, false});
@@ -216,7 +210,8 @@ void read_cityjson(const fs::path& path, const std::string& assumed_system, RawM
   const auto read = [&](const Json& json) {
     if (const Json& own = member(json, "transform"); !own.is_null()) transform = own;
     if (model.system.empty()) model.system = system_of(json);
-    if (!member(json, "CityObjects").is_null()) read_objects(json, transform, model);
+    const CityjsonAppearance appearance(member(json, "appearance"), path.parent_path());
+    if (!member(json, "CityObjects").is_null()) read_objects(json, transform, appearance, model);
   };
   try {
     const Json whole = Json::parse(text, nullptr, false);

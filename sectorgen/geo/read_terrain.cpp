@@ -107,10 +107,15 @@ class Raster {
     int is_given = 0;
     no_data_ = static_cast<float>(band.GetNoDataValue(&is_given));
     if (!is_given) no_data_ = std::numeric_limits<float>::quiet_NaN();
-    const std::string unit = band.GetUnitType();
-    const double unit_m = unit == "ft" || unit == "foot" || unit == "feet" ? 0.3048
-                          : unit == "US survey foot" || unit == "us-ft"    ? 1200.0 / 3937
-                                                                           : 1;
+    std::string unit = band.GetUnitType();
+    // Where only the vertical system says so; not every writer repeats it.
+    if (const OGRSpatialReference* system = dataset_->GetSpatialRef(); unit.empty() && system->IsVertical()) {
+      const char* name = nullptr;
+      if (system->GetTargetLinearUnits("VERT_CS", &name) != 1 && name) unit = name;
+    }
+    const double unit_m = unit == "ft" || unit == "foot" || unit == "feet"                ? 0.3048
+                          : unit == "US survey foot" || unit == "us-ft" || unit == "ftUS" ? 1200.0 / 3937
+                                                                                          : 1;
     scale_ = band.GetScale() * unit_m;
     offset_ = band.GetOffset() * unit_m;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -95,10 +96,25 @@ struct ModelFace {
   std::vector<std::vector<ModelPoint>> rings;  ///< outer first; closed implicitly
 };
 
-/// What looks up of a house that came as a model (CityJSON, CityGML): it may stick out over the footprint, overlap in
-/// plan, and be planar but for rounding.
+/// A window or door of a modelled house: corners of all that it is made of, frame and panes.
+struct ModelOpening {
+  bool is_door = false;
+  std::vector<ModelPoint> corners;
+};
+
+/// A wall of a modelled house with an image on it; places: of its corners in the image, 0 to 1 from its bottom left.
+struct ModelPhoto {
+  std::filesystem::path image;
+  std::vector<ModelPoint> corners;
+  std::vector<std::array<double, 2>> places;
+};
+
+/// A house that came as a model (CityJSON, CityGML).
 struct HouseModel {
-  std::vector<ModelFace> tops;
+  std::vector<ModelFace>
+      tops;  ///< what looks up: may stick out over the footprint, overlap in plan, not be quite planar
+  std::vector<ModelOpening> openings = {};  ///< on its walls or near them
+  std::vector<ModelPhoto> photos = {};
 };
 
 struct SourceMap {
