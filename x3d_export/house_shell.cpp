@@ -11,7 +11,7 @@ std::int32_t steps(double up_m) { return static_cast<std::int32_t>(std::llround(
 class ShellBuilder {
  public:
   explicit ShellBuilder(const Building& house)
-      : house_(house), base_(steps(house.base_m)), eave_(steps(house.eave_m)) {}
+      : house_(house), base_(steps(house.base_m > 0 ? house.base_m : -house.foot_m)), eave_(steps(house.eave_m)) {}
 
   HouseShell build() {
     add_floor();

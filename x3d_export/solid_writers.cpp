@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -83,6 +84,10 @@ std::vector<IndexRing> single_rings(const Building& house, const HouseShell& she
   return out;
 }
 
+std::int32_t ground_steps(const Building& house) {
+  return static_cast<std::int32_t>(std::lround(house.ground_m * kRoofStepsPerMetre));
+}
+
 std::string title_of(const City& city) {
   const auto name = city.meta.find("name");
   std::string origin;
@@ -127,7 +132,7 @@ std::string obj_text(const City& city) {
     out += "o " + clean_text(house.id) + "\n";
     for (const RoofPoint& p : shell.points) {
       out += "v ";
-      append_numbers(out, {metres(p.at.x), metres(p.at.y), p.up / kRoofStepsPerMetre}, 4, 3);
+      append_numbers(out, {metres(p.at.x), metres(p.at.y), (p.up + ground_steps(house)) / kRoofStepsPerMetre}, 4, 3);
       out += '\n';
     }
     for (const auto& ring : single_rings(house, shell)) {
@@ -145,7 +150,7 @@ std::string cityjson_text(const City& city) {
   for (const Building& house : city.buildings) {
     const HouseShell shell = house_shell(house);
     const auto first = static_cast<std::uint32_t>(vertices.size());
-    for (const RoofPoint& p : shell.points) vertices.push_back({p.at.x, p.at.y, p.up});
+    for (const RoofPoint& p : shell.points) vertices.push_back({p.at.x, p.at.y, p.up + ground_steps(house)});
     objects[house.id] = {{"type", "Building"},
                          {"attributes",
                           {{"source_id", clean_text(house.source_id)},

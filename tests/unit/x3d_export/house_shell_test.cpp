@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -107,6 +108,28 @@ TEST(ObjText, HasAClosedSolidOfTheRightVolumeForEachHouse) {
     EXPECT_GT(volume[id], 0) << id << " is inside out";
   }
   EXPECT_NEAR(volume["court"], (400 - 36) * 9.5, 1e-6);
+}
+
+TEST(Solids, StandAtTheirGroundWithWallsDownToTheirFoot) {
+  City city;
+  city.buildings = {house_with_court()};
+  city.buildings[0].ground_m = 30;
+  city.buildings[0].foot_m = 1.5;
+  EXPECT_EQ(open_edges(faces_of(house_shell(city.buildings[0]))), 0u);
+  double least = 1e9, most = 0;
+  std::istringstream text(obj_text(city));
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    std::string word;
+    double x = 0, y = 0, z = 0;
+    if (words >> word >> x >> y >> z; word == "v") least = std::min(least, z), most = std::max(most, z);
+  }
+  EXPECT_NEAR(least, 28.5, 1e-9);
+  EXPECT_NEAR(most, 39.5, 1e-9);
+  const auto json = nlohmann::json::parse(cityjson_text(city));
+  const double step = json["transform"]["scale"][2].get<double>();
+  EXPECT_NEAR(json["vertices"].front()[2].get<double>() * step, 28.5, 1e-9);
+  EXPECT_NEAR(json["vertices"].back()[2].get<double>() * step, 39.5, 1e-9);
 }
 
 TEST(CityJson, HasAClosedSolidWithSurfacesForEachHouse) {
