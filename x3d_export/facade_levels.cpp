@@ -5,6 +5,7 @@
 
 #include "x3d_export/colours.hpp"
 #include "x3d_export/wall_frame.hpp"
+#include "x3d_export/wall_pieces.hpp"
 
 namespace vicus {
 namespace {
@@ -37,8 +38,9 @@ class FacadeBuilder {
 
   void textured(LevelFaces& level) const { under_image(level, 0, frame_.length_m(), facade_.bottom_m, facade_.top_m); }
 
-  /// One image serves houses with different doors: they stand in front of it.
+  /// One image serves houses with different doors: they stand in front of it. Own ones are in the image.
   void doors(LevelFaces& level) const {
+    if (!facade_.openings.empty()) return;
     for (const Opening& o : openings_)
       if (is_door(o)) level.atlas.push_back(image_face(o, kQuadOffset_m));
   }
@@ -62,6 +64,7 @@ class FacadeBuilder {
 
   /// The wall under its image as bands and piers round the openings, and the openings behind it.
   void deep(LevelFaces& level) const {
+    if (!facade_.openings.empty()) return deep_anywhere(level);
     double band = facade_.bottom_m;
     for (std::size_t i = 0; i < openings_.size();) {
       const int floor = openings_[i].floor;
@@ -86,6 +89,16 @@ class FacadeBuilder {
       band = high;
     }
     under_image(level, 0, frame_.length_m(), band, facade_.top_m);
+  }
+
+  /// The same with openings that stand in no rows.
+  void deep_anywhere(LevelFaces& level) const {
+    std::vector<Opening> deep;
+    for (const Opening& o : openings_)
+      if (o.floor < kDeepFloors) deep.push_back(o);
+    for (const WallPiece& p : wall_pieces(frame_.length_m(), facade_.bottom_m, facade_.top_m, deep))
+      under_image(level, p.x0, p.x1, p.z0, p.z1);
+    for (const Opening& o : deep) recess(level, o);
   }
 
   /// Openings floor by floor, from the left.
@@ -138,7 +151,7 @@ class FacadeBuilder {
   }
 
   void recess(LevelFaces& level, const Opening& o) const {
-    const double depth = figures_of(facade_.style).depth;
+    const double depth = o.depth;
     const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
     cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
     cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);

@@ -96,6 +96,29 @@ INSTANTIATE_TEST_SUITE_P(All, EachStyle,
                                          FacadeStyle::modern, FacadeStyle::church, FacadeStyle::shed),
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
+/// Windows of a staircase stand between the storeys: no rows.
+TEST(AddFacade, OwnOpeningsAreTheSameInAllLevels) {
+  Facade f = south_front(FacadeStyle::plaster, 2, 2);
+  f.openings = {{OpeningKind::house_door, 1, 2, 0, 2.1, 0, 0, 0.3},
+                {OpeningKind::window, 4, 5, 1, 2.5, 0, 1, 0.1},
+                {OpeningKind::window, 7, 8, 2, 3.5, 0, 2, 0.1},
+                {OpeningKind::window, 4.5, 5.5, 4, 5, 1, 3, 0.2}};
+  const double sum = 2.1 + 1.5 + 1.5 + 1;
+  const Built b = built(f);
+  double quads = 0, deep = 0, wall = 0;
+  for (const TexturedFace& face : b.levels[1].atlas) quads += area_of(face, 4)[2];
+  EXPECT_NEAR(quads, sum, 0.01);
+  EXPECT_TRUE(b.levels[2].atlas.empty()) << "its image has the door";
+  ASSERT_EQ(b.levels[3].atlas.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    deep += area_of(b.levels[3].atlas[i], 4)[2];
+    EXPECT_NEAR(metres(b.levels[3].atlas[i].corners[0].z), -f.openings[i].depth, 0.0011);
+  }
+  for (const auto& [image, face] : b.levels[3].own_images) wall += area_of(face, 4)[2];
+  EXPECT_NEAR(deep, sum, 0.01);
+  EXPECT_NEAR(wall + deep, 12.5 * 15, 0.05);
+}
+
 TEST(AddFacade, QuadsStandBeforeTheWallAtTheOpenings) {
   const Facade f = south_front(FacadeStyle::stone, 4, 5);
   const LevelFaces level = built(f).levels[1];
