@@ -14,6 +14,7 @@
 #include "sectorgen/models/author_models.hpp"
 #include "sectorgen/models/facades.hpp"
 #include "sectorgen/models/lay_ground.hpp"
+#include "sectorgen/models/model_photos.hpp"
 #include "sectorgen/models/photo_facades.hpp"
 #include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/models/stand_objects.hpp"
@@ -119,7 +120,8 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
 
   clock.begin("models");
   roof_houses(city, map.models);
-  lay_out_facades(city);
+  lay_out_facades(city, map.models);
+  hang_model_photos(map.models, city);
   hang_photos(options.photos, city);
   if (options.with_textures) paint_textures(city, options.threads);
 

@@ -9,7 +9,8 @@
 /// List    CSV, one a line: KIND,FILE[,HEIGHT_M]. KIND is a kind of object as in the city file (tree, street_lamp,
 ///         fountain, bench, ...), FILE a glTF or GLB beside the list, HEIGHT_M how tall it shall be (else as modelled,
 ///         in metres). Empty lines and lines that begin with # are passed over.
-/// Source  glTF 2.0 (ISO/IEC 12113), KHR_draco_mesh_compression, KHR_mesh_quantization.
+/// Source  glTF 2.0 (ISO/IEC 12113), KHR_draco_mesh_compression, EXT_meshopt_compression,
+///         KHR_mesh_quantization, KHR_texture_transform.
 namespace vicus {
 
 inline constexpr std::size_t kMostModelTriangles = 5'000;  ///< it is sent with every sector that has one

@@ -52,6 +52,35 @@ void Canvas::gradient(double x0, double y0, double x1, double y1, Paint bottom, 
               mix(bottom, top, (i + 0.5) / steps));
 }
 
+void Canvas::draw(const Canvas& tile, double inset, double x0, double y0, double x1, double y1) {
+  const double left = x0 * width_ / width_m_, right = x1 * width_ / width_m_;
+  const double top = height_ - y1 * height_ / height_m_, bottom = height_ - y0 * height_ / height_m_;
+  const double across = (tile.width() - 2 * inset) / (right - left),
+               down = (tile.height() - 2 * inset) / (bottom - top);
+  const auto overlap = [](double from, double to, int cell) {
+    return std::max(0.0, std::min(to, cell + 1.0) - std::max(from, static_cast<double>(cell)));
+  };
+  for (int row = std::max(0, static_cast<int>(top)); row < std::min<double>(bottom, height_); ++row)
+    for (int column = std::max(0, static_cast<int>(left)); column < std::min<double>(right, width_); ++column) {
+      const double covered = overlap(top, bottom, row) * overlap(left, right, column);
+      if (covered <= 0) continue;
+      const double u0 = inset + (std::max<double>(column, left) - left) * across,
+                   u1 = inset + (std::min<double>(column + 1, right) - left) * across,
+                   v0 = inset + (std::max<double>(row, top) - top) * down,
+                   v1 = inset + (std::min<double>(row + 1, bottom) - top) * down;
+      Paint sum;
+      double all = 0;
+      for (int v = static_cast<int>(v0); v < v1 && v < tile.height(); ++v)
+        for (int u = static_cast<int>(u0); u < u1 && u < tile.width(); ++u) {
+          const double share = overlap(v0, v1, v) * overlap(u0, u1, u);
+          const Paint p = tile.at(u, v);
+          sum = {sum.r + share * p.r, sum.g + share * p.g, sum.b + share * p.b};
+          all += share;
+        }
+      if (all > 0) pixel(column, row) = mix(pixel(column, row), sum * (1 / all), covered);
+    }
+}
+
 void Canvas::paste(const Canvas& tile, int column, int row) {
   for (int y = 0; y < tile.height(); ++y)
     for (int x = 0; x < tile.width(); ++x) pixel(column + x, row + y) = tile.at(x, y);

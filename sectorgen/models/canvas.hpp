@@ -41,6 +41,9 @@ class Canvas {
         p = p * factor((column + 0.5) * width_m_ / width_, (height_ - row - 0.5) * height_m_ / height_);
       }
   }
+  /// Lays the tile's pixels but for `inset` of them along each side over [x0, x1] x [y0, y1]; each pixel gets the mean
+  /// of what falls on it.
+  void draw(const Canvas& tile, double inset, double x0, double y0, double x1, double y1);
   /// Copies another canvas of the same pixels into place, its top left pixel at (column, row).
   void paste(const Canvas& tile, int column, int row);
 

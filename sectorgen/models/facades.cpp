@@ -13,12 +13,15 @@
 #include "city_db/segment.hpp"
 #include "city_db/wall_stretches.hpp"
 #include "sectorgen/models/facade_choice.hpp"
+#include "sectorgen/models/own_openings.hpp"
 #include "sectorgen/models/tag_colours.hpp"
+#include "sectorgen/models/wall_lines.hpp"
 
 namespace vicus {
 namespace {
 
 constexpr double kDoorReach_m = 1.0, kShopReach_m = 12.0;
+constexpr double kLeastOwn_m = 0.4;  // of a wall that may have a window of its house's model
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 bool is_shop(const StandaloneObject& object) {
@@ -41,8 +44,13 @@ double top_of(const Building& house) { return house.eave_m > house.base_m ? hous
 
 class FacadeLayout {
  public:
-  explicit FacadeLayout(City& city) : city_(city) {
-    for (std::size_t i = 0; i < city.buildings.size(); ++i) building_.emplace(city.buildings[i].id, i);
+  FacadeLayout(City& city, const std::map<std::string, HouseModel>& models) : city_(city) {
+    for (std::size_t i = 0; i < city.buildings.size(); ++i) {
+      building_.emplace(city.buildings[i].id, i);
+      const auto model = models.find(city.buildings[i].source_id);
+      if (model != models.end() && !model->second.openings.empty())
+        modelled_.emplace(city.buildings[i].id, &model->second);
+    }
     for (const Door& door : city.doors) doors_in_[door.sector_id].push_back(&door);
   }
 
@@ -54,6 +62,7 @@ class FacadeLayout {
       add_border(border, city_.buildings[at->second]);
     }
     add_upper_walls();
+    hang_own_openings();
     for (std::size_t i = 0; i < city_.facades.size(); ++i) {
       if (city_.facades[i].bottom_m > 0) continue;
       in_sector_[city_.facades[i].sector_id].push_back(i);
@@ -82,6 +91,10 @@ class FacadeLayout {
     f.bottom_m = bottom_m;
     f.top_m = top_of(house);
     f.style = style_of(house);
+    if (modelled_.contains(house.id)) {
+      if (length_m(f) > kLeastOwn_m && f.top_m - f.bottom_m > kLeastOwn_m) city_.facades.push_back(std::move(f));
+      return;
+    }
     if (!lay_out_bays(f)) return;
     f.floors = floors_of(house, f.style, f.top_m - f.bottom_m);
     city_.facades.push_back(std::move(f));
@@ -98,12 +111,30 @@ class FacadeLayout {
     for (const Building& part : city_.buildings) {
       const auto house = part.tags.find(kPartOf);
       if (house == part.tags.end() || part.base_m > 0) continue;
-      for (const SideWall& wall : part.side_walls) {
-        const auto below = house_at.find({wall.b, wall.a});
-        if (below == house_at.end() || *below->second != house->second) continue;
-        add_stretch(part.sector_id, part, wall.b, wall.a, wall.bottom_m);
-      }
+      // What noding cut into pieces is one wall again where it stands on one roof.
+      std::map<std::int32_t, std::vector<std::pair<PlanPoint, PlanPoint>>> walls;  // by bottom
+      for (const SideWall& wall : part.side_walls)
+        if (const auto below = house_at.find({wall.b, wall.a});
+            below != house_at.end() && *below->second == house->second)
+          walls[lattice_mm(wall.bottom_m)].emplace_back(wall.b, wall.a);
+      for (const auto& [bottom_mm, edges] : walls)
+        for (const auto& line : joined_lines(edges)) {
+          const auto runs = straight_runs(line);
+          for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+            add_stretch(part.sector_id, part, line[runs[i]], line[runs[i + 1]], metres(bottom_mm));
+        }
     }
+  }
+
+  /// Those of its model, where a house has any: its other walls are blind.
+  void hang_own_openings() {
+    if (modelled_.empty()) return;
+    std::map<std::string, std::vector<Facade*>> of_house;
+    for (Facade& f : city_.facades)
+      if (modelled_.contains(f.building_id)) of_house[f.building_id].push_back(&f);
+    for (const auto& [house, facades] : of_house) hang_openings(*modelled_.at(house), facades);
+    std::erase_if(city_.facades,
+                  [&](const Facade& f) { return f.openings.empty() && modelled_.contains(f.building_id); });
   }
 
   std::size_t nearest(const std::string& sector_id, PlanPoint p, double reach_m) const {
@@ -111,7 +142,7 @@ class FacadeLayout {
     const auto at = in_sector_.find(sector_id);
     if (at == in_sector_.end()) return kNone;
     for (const std::size_t i : at->second)
-      if (const double d = foot_on(city_.facades[i], p).distance_m; d < reach_m) {
+      if (const double d = foot_on(city_.facades[i], p).distance_m; d < reach_m && city_.facades[i].openings.empty()) {
         reach_m = d;
         best = i;
       }
@@ -151,7 +182,7 @@ class FacadeLayout {
     std::set<std::string> open_houses;
     for (const Door& door : city_.doors) open_houses.insert(door.building_id);
     for (const auto& [house, list] : of_house_) {
-      if (open_houses.contains(house)) continue;
+      if (open_houses.contains(house) || modelled_.contains(house)) continue;
       if (std::any_of(list.begin(), list.end(), [&](std::size_t i) { return city_.facades[i].door_bay >= 0; }))
         continue;
       const auto rank = [&](std::size_t i) {
@@ -166,6 +197,7 @@ class FacadeLayout {
 
   City& city_;
   std::unordered_map<std::string, std::size_t> building_;
+  std::unordered_map<std::string, const HouseModel*> modelled_;  // with openings of its own
   std::unordered_map<std::string, std::vector<std::size_t>> in_sector_;
   std::map<std::string, std::vector<std::size_t>> of_house_;
   std::map<std::string, std::vector<const Door*>> doors_in_;  // by sector
@@ -173,13 +205,13 @@ class FacadeLayout {
 
 }  // namespace
 
-void lay_out_facades(City& city) {
+void lay_out_facades(City& city, const std::map<std::string, HouseModel>& models) {
   city.facades.clear();
   for (auto& house : city.buildings) {
     house.wall_colour = facade_colour(house, style_of(house));
     house.roof_colour = roof_colour(house);
   }
-  FacadeLayout(city).run();
+  FacadeLayout(city, models).run();
 }
 
 }  // namespace vicus

@@ -13,6 +13,7 @@
 
 #include "city_db/colour.hpp"
 #include "city_db/issues.hpp"
+#include "sectorgen/models/gltf_meshopt.hpp"
 
 namespace vicus {
 namespace {
@@ -192,14 +193,24 @@ class SceneReader {
           for (std::size_t c = 0; c < 3 && c < colours->width(); ++c) shade[c] += colours->at(at, c) / 3;
         if (coordinates && coordinates->width() >= 2) u += coordinates->at(at, 0) / 3, v += coordinates->at(at, 1) / 3;
       }
-      const Point texel = coordinates ? sample(*material.image, u, v) : Point{1, 1, 1};
+      const auto [su, sv] = material.place.moved(u, v);
+      const Point texel = coordinates ? sample(*material.image, su, sv) : Point{1, 1, 1};
       for (std::size_t c = 0; c < 3; ++c) triangle.colour[c] *= texel[c] * (colours ? shade[c] : 1);
       out_.push_back(triangle);
     }
   }
 
+  /// KHR_texture_transform: quantized coordinates mean nothing without it.
+  struct Placing {
+    double ox = 0, oy = 0, sx = 1, sy = 1, turn = 0;
+    std::pair<double, double> moved(double u, double v) const {
+      const double c = std::cos(turn), s = std::sin(turn);
+      return {c * sx * u + s * sy * v + ox, -s * sx * u + c * sy * v + oy};
+    }
+  };
   struct Material {
     Point colour{1, 1, 1};
+    Placing place;
     const tinygltf::Image* image = nullptr;
     int set = 0;  // of texture coordinates
   };
@@ -215,6 +226,19 @@ class SceneReader {
     if (image < 0 || static_cast<std::size_t>(image) >= model_.images.size()) return out;
     out.image = &model_.images[static_cast<std::size_t>(image)];
     out.set = pbr.baseColorTexture.texCoord;
+    if (const auto at = pbr.baseColorTexture.extensions.find("KHR_texture_transform");
+        at != pbr.baseColorTexture.extensions.end()) {
+      const tinygltf::Value& t = at->second;
+      const auto pair_of = [&](const char* name, double& x, double& y) {
+        if (!t.Has(name) || t.Get(name).ArrayLen() != 2) return;
+        x = t.Get(name).Get(0).GetNumberAsDouble();
+        y = t.Get(name).Get(1).GetNumberAsDouble();
+      };
+      pair_of("offset", out.place.ox, out.place.oy);
+      pair_of("scale", out.place.sx, out.place.sy);
+      if (t.Has("rotation")) out.place.turn = t.Get("rotation").GetNumberAsDouble();
+      if (t.Has("texCoord")) out.set = t.Get("texCoord").GetNumberAsInt();
+    }
     return out;
   }
 
@@ -248,9 +272,13 @@ std::vector<GltfTriangle> read_gltf(const std::filesystem::path& path) {
   std::string error, warning;
   const bool is_binary = path.extension() == ".glb" || path.extension() == ".GLB";
   bool is_read = false;
+  const std::string plain = without_meshopt(path);
   try {
-    is_read = is_binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path.string())
-                        : loader.LoadASCIIFromFile(&model, &error, &warning, path.string());
+    is_read = !plain.empty() ? loader.LoadBinaryFromMemory(
+                                   &model, &error, &warning, reinterpret_cast<const unsigned char*>(plain.data()),
+                                   static_cast<unsigned>(plain.size()), path.parent_path().string())
+              : is_binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path.string())
+                          : loader.LoadASCIIFromFile(&model, &error, &warning, path.string());
   } catch (const std::exception& what) {
     error = what.what();
   }

@@ -9,9 +9,11 @@
 #include <unordered_map>
 
 #include "city_db/boxes.hpp"
+#include "city_db/house_parts.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/geom/polygon.hpp"
 #include "sectorgen/models/ground_mesh.hpp"
+#include "sectorgen/models/roof_city.hpp"
 #include "sectorgen/sectors/locator.hpp"
 
 namespace vicus {
@@ -199,15 +201,27 @@ void stand_houses(City& city) {
                       height_m(city.terrain, {f.a.x + static_cast<std::int32_t>((f.b.x - f.a.x) * share),
                                               f.a.y + static_cast<std::int32_t>((f.b.y - f.a.y) * share)}));
     }
-  for (Building& house : city.buildings) {
-    auto around = heights_around(city.terrain, house.footprint);
-    if (around.empty()) continue;
-    std::sort(around.begin(), around.end());
-    const auto door = at_door.find(house.id);
-    const double level = door != at_door.end() ? door->second : around[around.size() / 2];
-    house.ground_m = metres(lattice_mm(level));
-    house.foot_m = metres(lattice_mm(house.ground_m - around.front() + kBuried_m));
+  // A house's parts stand at one level, or its walls would part.
+  std::map<std::string, std::vector<Building*>> houses;
+  for (Building& b : city.buildings) houses[b.tags.contains(kPartOf) ? house_of(b) : "b " + b.id].push_back(&b);
+  for (const auto& [name, parts] : houses) {
+    std::vector<double> all;
+    std::optional<double> level;
+    std::vector<double> lowest;
+    for (const Building* part : parts) {
+      const auto around = heights_around(city.terrain, part->footprint);
+      lowest.push_back(around.empty() ? HUGE_VAL : *std::min_element(around.begin(), around.end()));
+      all.insert(all.end(), around.begin(), around.end());
+      if (const auto door = at_door.find(part->id); door != at_door.end() && !level) level = door->second;
+    }
+    if (all.empty()) continue;
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i]->ground_m = metres(lattice_mm(level.value_or(all[all.size() / 2])));
+      parts[i]->foot_m = metres(lattice_mm(parts[i]->ground_m - std::min(lowest[i], all.back()) + kBuried_m));
+    }
   }
+  update_side_walls(city);
 }
 
 /// How far the foot of a wall hangs above the ground before it, where it does most.

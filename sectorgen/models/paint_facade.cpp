@@ -36,7 +36,7 @@ class FacadePainter {
         break;
       case FacadeStyle::plaster:
         plinth();
-        if (facade_.floors > 1) band(figures_.ground_floor - 0.1, 0.14);
+        if (facade_.floors > 1) course(1, 0.14);
         break;
       case FacadeStyle::church:
         ashlar();
@@ -51,7 +51,7 @@ class FacadePainter {
     }
     for (const Opening& o : pattern_openings(facade_)) {
       surround(o);
-      paint_opening(canvas_, o, 31 * o.bay + 7 * o.floor);
+      paint_opening(canvas_, o);
     }
     cornice();
     return std::move(canvas_);
@@ -66,6 +66,22 @@ class FacadePainter {
       return 0.93 + 0.10 * noise + 0.03 * z / height_;
     });
   }
+  /// Of a floor above the lowest: as the style has it; of own windows half a metre below them.
+  double floor_line(int floor) const {
+    if (facade_.openings.empty()) return figures_.ground_floor + (floor - 1) * figures_.storey;
+    double low = height_;
+    for (const Opening& o : facade_.openings)
+      if (o.floor == floor) low = std::min(low, o.z0);
+    return low - 0.5;
+  }
+  /// A band along a floor, where no window stands in its way.
+  void course(int floor, double thickness) {
+    const double z = floor_line(floor) - 0.1;
+    const bool is_free = facade_.openings.empty() ||
+                         std::none_of(facade_.openings.begin(), facade_.openings.end(),
+                                      [&](const Opening& o) { return o.z0 < z + thickness + 0.1 && o.z1 > z - 0.1; });
+    if (is_free) band(z, thickness);
+  }
   void band(double z, double thickness) {
     canvas_.rectangle(0, z, width_, z + thickness, wall_ * 1.06);
     canvas_.rectangle(0, z - 0.05, width_, z, wall_ * 0.72);
@@ -75,7 +91,8 @@ class FacadePainter {
     canvas_.rectangle(0, 0.55, width_, 0.6, wall_ * 1.05);
   }
   void rustication() {
-    for (double z = 0; z < figures_.ground_floor - 0.2; z += 0.42) {
+    const double top = facade_.floors > 1 ? floor_line(1) : std::min(figures_.ground_floor, height_ / 2);
+    for (double z = 0; z < top - 0.2; z += 0.42) {
       canvas_.rectangle(0, z, width_, z + 0.035, wall_ * 0.72);
       canvas_.rectangle(0, z + 0.035, width_, z + 0.06, wall_ * 1.08);
     }
@@ -83,7 +100,7 @@ class FacadePainter {
   void string_courses(double thickness) {
     for (int floor = 1; floor < facade_.floors; ++floor) {
       const bool is_strong = floor == 1 || floor == facade_.floors - 1;
-      band(figures_.ground_floor + (floor - 1) * figures_.storey - 0.1, is_strong ? thickness : thickness / 2);
+      course(floor, is_strong ? thickness : thickness / 2);
     }
   }
   void courses_of_brick() {
@@ -94,10 +111,10 @@ class FacadePainter {
   }
   void panels() {
     for (int floor = 1; floor < facade_.floors; ++floor) {
-      const double z = figures_.ground_floor + (floor - 1) * figures_.storey;
+      const double z = floor_line(floor);
       canvas_.rectangle(0, z - 0.15, width_, z + 0.1, wall_ * 0.90);
     }
-    for (int bay = 0; bay <= facade_.bays; ++bay)
+    for (int bay = 0; facade_.openings.empty() && bay <= facade_.bays; ++bay)
       canvas_.rectangle(bay * figures_.bay - 0.03, 0, bay * figures_.bay + 0.03, height_, wall_ * 0.86);
   }
   void boards() {

@@ -93,9 +93,8 @@ void church_window(Canvas& c, const Opening& o, int variant) {
   }
 }
 
-}  // namespace
-
-void paint_opening(Canvas& c, const Opening& o, int variant) {
+void paint_strokes(Canvas& c, const Opening& o) {
+  constexpr int variant = 3;  // of curtains and glass
   switch (o.kind) {
     case OpeningKind::tall_window:
       panes(c, o, 2, 3, 0.07, variant);
@@ -131,14 +130,25 @@ void paint_opening(Canvas& c, const Opening& o, int variant) {
   }
 }
 
+}  // namespace
+
 Canvas paint_tile(OpeningKind kind) {
   // The size in which the kind usually comes, so that frames and bars have their true width.
   constexpr std::pair<double, double> kSizes[kOpeningKinds] = {{1.12, 2.1}, {1.06, 1.55}, {1.75, 1.45}, {1.5, 4.6},
                                                                {1.3, 2.6},  {2.4, 3.8},   {2.4, 2.2},   {2.3, 3.2}};
   const auto& [width, height] = kSizes[static_cast<std::size_t>(kind)];
   Canvas tile(kTilePixels, kTilePixels, width, height);
-  paint_opening(tile, {kind, 0, width, 0, height, 0, 0}, 3);
+  paint_strokes(tile, {kind, 0, width, 0, height, 0, 0});
   return tile;
+}
+
+void paint_opening(Canvas& canvas, const Opening& o) {
+  static const std::vector<Canvas> kTiles = [] {
+    std::vector<Canvas> tiles;
+    for (std::size_t i = 0; i < kOpeningKinds; ++i) tiles.push_back(paint_tile(static_cast<OpeningKind>(i)));
+    return tiles;
+  }();
+  canvas.draw(kTiles[static_cast<std::size_t>(o.kind)], kTileInset_px, o.x0, o.z0, o.x1, o.z1);
 }
 
 Canvas paint_atlas() {

@@ -58,16 +58,28 @@ Colour wall_colour(const Canvas& picture, const Facade& facade) {
   return {byte(sum.r), byte(sum.g), byte(sum.b)};
 }
 
-void lay_out(const FacadePhoto& photo, const Canvas& picture, Facade& f) {
-  const auto bays = find_bays(picture), floors = find_floors(picture);
-  // One picture, one pattern: it may not be tiled.
-  f.bays = std::clamp(photo.bays ? *photo.bays : bays ? bays->count : f.bays * f.repeats, 1, kMostBays);
-  f.floors = std::clamp(photo.floors ? *photo.floors : floors ? floors->count : f.floors, 1, kMostFloors);
-  f.repeats = 1;
-  if (f.door_bay >= f.bays) f.door_bay = f.bays / 2;
-}
-
 }  // namespace
+
+int photo_side(double side_m) { return texture_side(kPixelsPerMetre * side_m); }
+
+void hang_picture(const Canvas& picture, std::optional<int> bays, std::optional<int> floors, Facade& facade,
+                  Building& house, City& city) {
+  if (facade.openings.empty()) {
+    // One picture, one pattern: it may not be tiled.
+    const auto found_bays = find_bays(picture), found_floors = find_floors(picture);
+    facade.bays = std::clamp(bays         ? *bays
+                             : found_bays ? found_bays->count
+                                          : facade.bays * facade.repeats,
+                             1, kMostBays);
+    facade.floors = std::clamp(floors ? *floors : found_floors ? found_floors->count : facade.floors, 1, kMostFloors);
+    facade.repeats = 1;
+    if (facade.door_bay >= facade.bays) facade.door_bay = facade.bays / 2;
+  }
+  house.wall_colour = wall_colour(picture, facade);
+  Texture texture = palette_texture(picture, kPhotoColours);
+  facade.texture = texture.id;
+  city.textures.push_back(std::move(texture));
+}
 
 void hang_photos(const std::vector<FacadePhoto>& photos, City& city) {
   for (const FacadePhoto& photo : photos) {
@@ -80,15 +92,10 @@ void hang_photos(const std::vector<FacadePhoto>& photos, City& city) {
       continue;
     }
     const double width_m = length_m(*facade), height_m = facade->top_m - facade->bottom_m;
-    const Canvas picture = rectified(photo.file, photo.corners, texture_side(kPixelsPerMetre * width_m),
-                                     texture_side(kPixelsPerMetre * height_m), width_m, height_m);
-    lay_out(photo, picture, *facade);
     const auto house = std::find_if(city.buildings.begin(), city.buildings.end(),
                                     [&](const Building& b) { return b.id == facade->building_id; });
-    house->wall_colour = wall_colour(picture, *facade);
-    Texture texture = palette_texture(picture, kPhotoColours);
-    facade->texture = texture.id;
-    city.textures.push_back(std::move(texture));
+    hang_picture(rectified(photo.file, photo.corners, photo_side(width_m), photo_side(height_m), width_m, height_m),
+                 photo.bays, photo.floors, *facade, *house, city);
   }
 }
 

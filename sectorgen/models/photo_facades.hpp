@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "city_db/city.hpp"
+#include "sectorgen/models/canvas.hpp"
 #include "sectorgen/models/photo_list.hpp"
 
 namespace vicus {
@@ -15,5 +17,12 @@ namespace vicus {
 /// reflections
 ///         in every window.
 void hang_photos(const std::vector<FacadePhoto>& photos, City& city);
+
+/// One picture as the facade's texture. A facade with openings of its own keeps them. Needs   the house is its own.
+void hang_picture(const Canvas& picture, std::optional<int> bays, std::optional<int> floors, Facade& facade,
+                  Building& house, City& city);
+
+/// Pixels along a side of a photo's texture.
+int photo_side(double side_m);
 
 }  // namespace vicus

@@ -73,7 +73,8 @@ struct Edges {
   std::vector<std::vector<PlanPoint>> chains;  // per edge of the footprint
 };
 
-std::vector<Segment> segments_of(const Polygon& footprint, const HouseModel& model, std::size_t& of_footprint) {
+std::vector<Segment> segments_of(const Polygon& footprint, const HouseModel& model, const std::vector<Segment>& cuts,
+                                 std::size_t& of_footprint) {
   std::vector<Segment> segments;
   const auto add = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) segments.push_back({ring[i], ring[(i + 1) % ring.size()]});
@@ -91,13 +92,14 @@ std::vector<Segment> segments_of(const Polygon& footprint, const HouseModel& mod
       for (std::size_t i = 0; i < ring.size(); ++i)
         if (const PlanPoint a = snapped(ring[i].at), b = snapped(ring[(i + 1) % ring.size()].at); a != b)
           segments.push_back({a, b});
+  segments.insert(segments.end(), cuts.begin(), cuts.end());
   return segments;
 }
 
 /// Noded once, the footprint's new points drawn in, and noded again: what moved must not cross.
-Edges noded_edges(const Polygon& footprint, const HouseModel& model) {
+Edges noded_edges(const Polygon& footprint, const HouseModel& model, const std::vector<Segment>& cuts) {
   std::size_t of_footprint = 0;
-  const auto segments = segments_of(footprint, model, of_footprint);
+  const auto segments = segments_of(footprint, model, cuts, of_footprint);
   const Noded noded = node_segments(segments);
   std::vector<std::pair<PlanPoint, PlanPoint>> moves;
   const auto moved = [&](PlanPoint p) {
@@ -165,10 +167,10 @@ void fill_gaps(const std::vector<char>& is_inside, PlanCover& cover) {
 
 }  // namespace
 
-PlanCover cover_plan(const Polygon& footprint, const HouseModel& model) {
+PlanCover cover_plan(const Polygon& footprint, const HouseModel& model, const std::vector<Segment>& cuts) {
   PlanCover cover;
   for (const auto& face : model.tops) cover.planes.push_back(plane_of(face));
-  Edges edges = noded_edges(footprint, model);
+  Edges edges = noded_edges(footprint, model, cuts);
   cover.mesh = triangulate_edges(edges.points, edges.edges);
   const Mesh& mesh = cover.mesh;
   cover.chains = indexed(edges.chains, mesh);

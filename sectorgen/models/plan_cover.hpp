@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sectorgen/geo/source_map.hpp"
+#include "sectorgen/geom/noding.hpp"
 #include "sectorgen/geom/triangulation.hpp"
 
 /// Which face of a modelled house lies uppermost at each place of a footprint.
@@ -28,7 +29,8 @@ struct PlanCover {
   double covered = 0;  ///< share of the footprint below faces; the rest took a neighbouring triangle's face
 };
 
+/// `cuts`: lines that cut the plan, too.
 /// Needs   a valid footprint.   Error  faces move by at most 1 mm in plan (noding).
-PlanCover cover_plan(const Polygon& footprint, const HouseModel& model);
+PlanCover cover_plan(const Polygon& footprint, const HouseModel& model, const std::vector<Segment>& cuts = {});
 
 }  // namespace vicus

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "city_db/polygon_edges.hpp"
@@ -30,11 +31,13 @@ std::vector<PlanEdge> facade_edges(const City& city) {
 
 void update_side_walls(City& city) {
   const auto facades = facade_edges(city);
-  std::vector<std::pair<PlanEdge, double>> eaves;  // of houses on the ground, by edge
+  std::vector<std::pair<PlanEdge, double>> tops;  // eaves of houses on the ground, above the plan frame's 0, by edge
   for (const auto& b : city.buildings)
     if (b.base_m <= 0)
-      visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) { eaves.emplace_back(PlanEdge{p, q}, b.eave_m); });
-  std::sort(eaves.begin(), eaves.end());
+      visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) {
+        tops.emplace_back(PlanEdge{p, q}, b.ground_m + b.eave_m);
+      });
+  std::sort(tops.begin(), tops.end());
   for (auto& b : city.buildings) {
     if (b.base_m > 0) continue;  // the exporter draws all walls of what hangs in the air
     std::vector<SideWall> walls;
@@ -42,14 +45,14 @@ void update_side_walls(City& city) {
       const PlanEdge e{p, q};
       if (std::binary_search(facades.begin(), facades.end(), e)) return;
       const PlanEdge twin{e.second, e.first};
-      double bottom = -1;
-      for (auto it = std::lower_bound(eaves.begin(), eaves.end(), std::pair(twin, -1.0));
-           it != eaves.end() && it->first == twin; ++it)
-        bottom = std::max(bottom, it->second);
-      if (bottom < 0)
+      std::optional<double> bottom;
+      for (auto it = std::lower_bound(tops.begin(), tops.end(), std::pair(twin, -HUGE_VAL));
+           it != tops.end() && it->first == twin; ++it)
+        bottom = std::max(bottom.value_or(-b.foot_m), it->second - b.ground_m);
+      if (!bottom)
         for (const auto& wall : b.side_walls)
-          if (wall.a == e.first && wall.b == e.second && wall.bottom_m == 0) bottom = 0;
-      if (bottom >= 0 && bottom + kLeastWall_m < b.eave_m) walls.push_back({e.first, e.second, bottom});
+          if (wall.a == e.first && wall.b == e.second && wall.bottom_m <= 0) bottom = -b.foot_m;
+      if (bottom && *bottom + kLeastWall_m < b.eave_m) walls.push_back({e.first, e.second, *bottom});
     });
     b.side_walls = std::move(walls);
   }

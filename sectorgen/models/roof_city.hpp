@@ -14,7 +14,8 @@ namespace vicus {
 /// Needs   buildings, borders and side walls as the sectors stage leaves them.
 void roof_houses(City& city, const std::map<std::string, HouseModel>& models = {});
 
-/// Walls above a lower neighbour again, from the buildings' eaves; walls towards closed ground stay.
+/// Walls above a lower neighbour again, from the buildings' eaves and the levels that they stand at; walls towards
+/// closed ground stay, and go down to the house's foot.
 void update_side_walls(City& city);
 
 }  // namespace vicus

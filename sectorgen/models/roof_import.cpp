@@ -9,6 +9,7 @@
 
 #include "sectorgen/geom/predicates.hpp"
 #include "sectorgen/models/plan_cover.hpp"
+#include "sectorgen/models/roof_crossings.hpp"
 #include "sectorgen/models/roof_flat.hpp"
 #include "sectorgen/models/solid_check.hpp"
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::size_t kMostFaces = 20'000;
 constexpr double kLeastEave_m = 0.5;
+constexpr int kMostCuts = 3;            // times that the plan is cut again where faces cross, and then at pinches
+constexpr std::int32_t kNotch_mm = 50;  // how far round a pinch the roof bends to let go
 
 /// What stands at one corner of a triangle: a level of its mesh point. Levels of a point are numbered from the lowest.
 class Levels {
@@ -54,6 +57,14 @@ class Levels {
   }
   /// Heights at a mesh point, ascending; equal ones may repeat.
   const std::vector<std::int32_t>& at(std::uint32_t v) const { return heights_[v]; }
+
+  /// The lowest that any face comes to.
+  std::int32_t lowest() const {
+    std::int32_t least = INT32_MAX;
+    for (const auto& list : heights_)
+      if (!list.empty()) least = std::min(least, list.front());
+    return least;
+  }
 
   /// Every level of the point that is within `reach` of `up` becomes `up`.
   void pull(std::uint32_t v, std::int32_t up, std::int32_t reach) {
@@ -95,6 +106,38 @@ bool uncross(const PlanCover& cover, Levels& levels) {
     }
   }
   return true;
+}
+
+/// Mesh points where two steps stand on one upright edge, the same side of it: high and low roofs meet there like
+/// fields of a chessboard. The solid would only touch itself in that edge.
+std::vector<std::uint32_t> pinches(const PlanCover& cover, const Levels& levels, std::int32_t eave) {
+  std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> rises(cover.mesh.points.size());
+  for (std::uint32_t t = 0; t < cover.face.size(); ++t) {
+    if (cover.face[t] == kNone) continue;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t n = cover.mesh.triangles[t].neighbour[static_cast<std::size_t>(k)];
+      const bool is_rim = n == kNone || cover.face[n] == kNone;
+      const int m = is_rim ? 0 : cover.mesh.twin_side(t, k);
+      const auto add = [&](int mine, int its) {
+        const std::int32_t low = is_rim ? eave : levels.up(n, its), high = levels.up(t, mine);
+        if (low < high) rises[cover.mesh.corner(t, mine)].emplace_back(low, high);
+      };
+      add(k + 1, m + 2);  // only there the edge begins: seen from the point, each edge is met once from each side
+    }
+  }
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t v = 0; v < rises.size(); ++v) {
+    auto& list = rises[v];
+    std::sort(list.begin(), list.end());
+    for (std::size_t i = 1; i < list.size(); ++i)
+      if (list[i].first < list[i - 1].second) {
+        out.push_back(v);
+        break;
+      } else if (list[i].second < list[i - 1].second) {
+        list[i].second = list[i - 1].second;
+      }
+  }
+  return out;
 }
 
 class RoofWriter {
@@ -204,15 +247,21 @@ class RoofWriter {
         const std::uint32_t a = cover_.mesh.corner(t, k + 1), b = cover_.mesh.corner(t, k + 2);
         const std::int32_t high_a = levels_.up(t, k + 1), high_b = levels_.up(t, k + 2), low_a = levels_.up(n, m + 2),
                            low_b = levels_.up(n, m + 1);
-        if (high_a < low_a || high_b < low_b || (high_a == low_a && high_b == low_b)) continue;
-        std::vector<std::uint32_t> ring = {point(a, low_a), point(b, low_b)};
-        add_between(b, low_b, high_b, ring);
-        if (high_b != low_b) ring.push_back(point(b, high_b));
-        if (high_a != low_a) ring.push_back(point(a, high_a));
-        add_between(a, high_a, low_a, ring);
-        roof_.facets.push_back({FacetKind::step, {std::move(ring)}, {}});
+        add_step(a, b, {low_a, low_b}, {high_a, high_b});
       }
     }
+  }
+
+  using Ends = std::array<std::int32_t, 2>;
+
+  void add_step(std::uint32_t a, std::uint32_t b, Ends low, Ends high) {
+    if (high[0] < low[0] || high[1] < low[1] || (high[0] == low[0] && high[1] == low[1])) return;
+    std::vector<std::uint32_t> ring = {point(a, low[0]), point(b, low[1])};
+    add_between(b, low[1], high[1], ring);
+    if (high[1] != low[1]) ring.push_back(point(b, high[1]));
+    if (high[0] != low[0]) ring.push_back(point(a, high[0]));
+    add_between(a, high[0], low[0], ring);
+    roof_.facets.push_back({FacetKind::step, {std::move(ring)}, {}});
   }
 
   Side triangle_on(std::uint32_t a, std::uint32_t b) {
@@ -241,7 +290,25 @@ class RoofWriter {
       rise(chain[i - 1], levels_.up(t, k + 1));
     }
     rise(a, eave_);
-    if (ring.size() > 2) roof_.facets.push_back({FacetKind::gable, {std::move(ring)}, {}});
+    if (ring.size() <= 2) return;
+    if (off_plane_m(roof_, {FacetKind::gable, {ring}, {}}) < kMostOffPlane_m || !add_folded_gable(chain))
+      roof_.facets.push_back({FacetKind::gable, {std::move(ring)}, {}});
+  }
+
+  /// Where the roof's rim stands back from the footprint's edge by a millimetre or two here and there: a ledge at the
+  /// eave, and steps along the rim. False: it meets the edge between its ends.
+  bool add_folded_gable(const std::vector<std::uint32_t>& chain) {
+    const PlanPoint a = cover_.mesh.points[chain.front()], b = cover_.mesh.points[chain.back()];
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+      if (orient(a, b, cover_.mesh.points[chain[i]]) <= 0) return false;
+    std::vector<std::uint32_t> ledge = {point(chain.front(), eave_)};
+    for (std::size_t i = chain.size() - 1; i > 0; --i) ledge.push_back(point(chain[i], eave_));
+    add_facet({std::move(ledge)});
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const auto [t, k] = triangle_on(chain[i], chain[i + 1]);
+      add_step(chain[i], chain[i + 1], {eave_, eave_}, {levels_.up(t, k + 1), levels_.up(t, k + 2)});
+    }
+    return true;
   }
 
   const PlanCover& cover_;
@@ -266,29 +333,39 @@ std::int32_t eave_of(const PlanCover& cover, Levels& levels) {
   return is_clear ? lowest : lowest - roof_steps(kLip_m);
 }
 
-}  // namespace
-
-std::optional<ImportedRoof> roof_from_model(const Polygon& footprint, const HouseModel& model, std::string& fault) {
-  if (model.tops.size() > kMostFaces) {
-    fault = "it has more than " + std::to_string(kMostFaces) + " faces";
-    return std::nullopt;
-  }
-  const PlanCover cover = cover_plan(footprint, model);
+/// One try. `cuts` and `pinched` grow where the next one would do better; `is_final`: there is none.
+std::optional<ImportedRoof> try_roof(const Polygon& footprint, const HouseModel& model, bool is_final,
+                                     std::vector<Segment>& cuts, std::set<PlanPoint>& pinched, std::string& fault) {
+  const PlanCover cover = cover_plan(footprint, model, cuts);
   if (cover.covered < kLeastCover) {
     fault = "it covers only " + std::to_string(static_cast<int>(100 * cover.covered)) + " % of the footprint";
     return std::nullopt;
   }
+  if (!is_final)
+    if (const auto more = crossing_cuts(cover, kMostBend_m); !more.empty()) {
+      cuts.insert(cuts.end(), more.begin(), more.end());
+      return std::nullopt;
+    }
   Levels levels(cover);
   std::int32_t eave = eave_of(cover, levels);
   if (!uncross(cover, levels)) {
     fault = "two of its faces cross";
     return std::nullopt;
   }
-  for (const auto& chain : cover.chains)
-    for (const std::uint32_t v : chain) eave = std::min(eave, levels.at(v).front());
+  for (std::uint32_t v = 0; v < cover.mesh.points.size(); ++v)
+    if (pinched.contains(cover.mesh.points[v]) && !levels.at(v).empty())
+      levels.join(v, levels.at(v).front(), levels.at(v).back());
+  eave = std::min(eave, levels.lowest());
   if (eave < roof_steps(kLeastEave_m)) {
     fault = "it comes down to the ground";
     return std::nullopt;
+  }
+  if (!is_final) {
+    const std::size_t before = cuts.size();
+    for (const std::uint32_t v : pinches(cover, levels, eave))
+      if (const PlanPoint p = cover.mesh.points[v]; pinched.insert(p).second)
+        for (const Segment& s : lozenge(p, kNotch_mm)) cuts.push_back(s);
+    if (cuts.size() > before) return std::nullopt;
   }
   ImportedRoof out;
   out.roof = RoofWriter(cover, levels, eave).write();
@@ -300,6 +377,22 @@ std::optional<ImportedRoof> roof_from_model(const Polygon& footprint, const Hous
     return std::nullopt;
   }
   return out;
+}
+
+}  // namespace
+
+std::optional<ImportedRoof> roof_from_model(const Polygon& footprint, const HouseModel& model, std::string& fault) {
+  if (model.tops.size() > kMostFaces) {
+    fault = "it has more than " + std::to_string(kMostFaces) + " faces";
+    return std::nullopt;
+  }
+  std::vector<Segment> cuts;
+  std::set<PlanPoint> pinched;
+  for (int round = 0;; ++round) {
+    const std::size_t before = cuts.size();
+    auto out = try_roof(footprint, model, round == 2 * kMostCuts, cuts, pinched, fault);
+    if (out || cuts.size() == before) return out;
+  }
 }
 
 }  // namespace vicus

@@ -1,3 +1,4 @@
+#include <array>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -17,7 +18,10 @@ constexpr int kAtlasColours = 64;
 /// All that a picture depends on.
 auto picture_key(const Facade& facade, Colour wall) {
   const Facade f = image_pattern(facade);
-  return std::make_tuple(f.style, wall, f.floors, f.bays, f.door_bay, f.has_shop);
+  std::vector<std::array<double, 5>> own;
+  for (const Opening& o : f.openings) own.push_back({static_cast<double>(o.kind), o.x0, o.x1, o.z0, o.z1});
+  if (!own.empty()) own.push_back({pattern_width_m(f), pattern_height_m(f), 0, 0, 0});
+  return std::make_tuple(f.style, wall, f.floors, f.bays, f.door_bay, f.has_shop, std::move(own));
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST(AuthorModels, AreHostileBytes) {
                                  {R"("nodes":[{"mesh":0)", R"("nodes":[{"children":[0],"mesh":0)"},
                                  {R"("indices":1)", R"("indices":7)"},
                                  {R"("type":"VEC3")", R"("type":"SCALAR")"},
-                                 {R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"}}) {
+                                 {R"("asset")", R"("extensionsRequired":["EXT_of_nobody"],"asset")"}}) {
     write_bytes(scratch / "a.glb", glb(changed(from, to)));
     EXPECT_NE(failure([&] { read_model(scratch / "a.glb", "tree", 0); }), "none") << to;
   }

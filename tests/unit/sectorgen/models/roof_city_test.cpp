@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "sectorgen/models/solid_check.hpp"
 #include "tests/support/sample_city.hpp"
 #include "tests/unit/sectorgen/models/roof_plans.hpp"
@@ -73,6 +76,40 @@ TEST(RoofHouses, LetsSideWallsFollowTheEaves) {
   ASSERT_EQ(city.buildings[0].side_walls.size(), 1u) << "3 m of its wall stand over the neighbour's eave";
   EXPECT_NEAR(city.buildings[0].side_walls[0].bottom_m, city.buildings[1].eave_m, 1e-9);
   EXPECT_TRUE(city.buildings[1].side_walls.empty());
+}
+
+/// A row of houses on a slope: at each height above the ground a party wall is either between two houses, or drawn.
+TEST(UpdateSideWalls, LeaveNoHoleBetweenHousesAtDifferentLevels) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937 random(seed);
+    const auto pick = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    City city;
+    for (int i = 0; i < 6; ++i) {
+      Building b = house(12 * i, 10, {});
+      b.eave_m = b.height_m = pick(3, 15);
+      b.ground_m = pick(0, 20);
+      b.foot_m = pick(0, 4);
+      city.buildings.push_back(b);
+    }
+    update_side_walls(city);
+    for (std::size_t i = 0; i < city.buildings.size(); ++i)
+      for (const int side : {-1, 1}) {
+        const std::size_t k = i + static_cast<std::size_t>(side);
+        if (k >= city.buildings.size()) continue;
+        const Building &b = city.buildings[i], &other = city.buildings[k];
+        const std::int32_t x = lattice_mm(12.0 * static_cast<double>(std::max(i, k)));
+        for (int sample = 0; sample < 20; ++sample) {
+          const double z = pick(std::max(b.ground_m - b.foot_m, other.ground_m - other.foot_m), b.ground_m + b.eave_m);
+          if (z > b.ground_m + b.eave_m) continue;  // all of it below the other's foot
+          const bool is_covered = z <= other.ground_m + other.eave_m + 0.06;
+          const bool is_drawn = std::any_of(b.side_walls.begin(), b.side_walls.end(), [&](const SideWall& w) {
+            return w.a.x == x && w.b.x == x && b.ground_m + w.bottom_m <= z;
+          });
+          EXPECT_TRUE(is_covered || is_drawn) << "seed " << seed << ", house " << i << " towards " << k;
+          EXPECT_FALSE(is_drawn && z < other.ground_m + other.eave_m - 1e-9) << "seed " << seed;
+        }
+      }
+  }
 }
 
 TEST(RoofHouses, LeavesEveryHouseOfTheSampleCitySound) {
