@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "x3d_export/mesh.hpp"
+#include "x3d_export/roof_mesh.hpp"
 
 /// What of a house is no facade: roof, side walls, chimneys; all of a house that one walks under.
 namespace vicus {
@@ -10,9 +11,9 @@ namespace vicus {
 double wall_top_m(const Building& house);
 
 /// Roof and side walls, but those that `is_drawn_elsewhere` is true of (it may be empty); of a house over a passage
-/// also its outer walls and underside.
+/// also its outer walls and underside. `facade_top`: see add_roof.
 void add_body(FaceList& faces, const Building& house,
-              const std::function<bool(const SideWall&)>& is_drawn_elsewhere = {});
+              const std::function<bool(const SideWall&)>& is_drawn_elsewhere = {}, const WallTop& facade_top = {});
 
 inline constexpr int kChimneyTriangles = 10;
 /// At most `most` chimneys in the middle of the roof's largest triangles: one to 70 m2 of houses that are lived in.

@@ -2,31 +2,49 @@
 
 #include <cmath>
 
+#include "city_db/gables.hpp"
+
 namespace vicus {
 namespace {
 
 template <class Visit>
-void visit_triangles(const Building& house, Visit visit) {
+void visit_triangles(const Building& house, const RoofFacet& facet, Visit visit) {
   const auto& points = house.roof.points;
-  for (const auto& facet : house.roof.facets)
-    for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3)
-      visit(facet.kind, points.at(facet.triangles[i]), points.at(facet.triangles[i + 1]),
-            points.at(facet.triangles[i + 2]));
+  for (std::size_t i = 0; i + 2 < facet.triangles.size(); i += 3)
+    visit(points.at(facet.triangles[i]), points.at(facet.triangles[i + 1]), points.at(facet.triangles[i + 2]));
+}
+
+/// What of a gable is above a facade that reaches up into it.
+void add_gable_above(FaceList& faces, const Gable& gable, double top_m, Colour colour) {
+  const auto low = static_cast<std::int32_t>(std::lround(top_m * kRoofStepsPerMetre));
+  for (const auto& [p, q] : gable.rim) {
+    if (p.up > low) faces.add_triangle({q.at, low}, {p.at, low}, p, colour);
+    if (q.up > low) faces.add_triangle({q.at, low}, p.up > low ? p : RoofPoint{p.at, low}, q, colour);
+  }
 }
 
 }  // namespace
 
-void add_roof(FaceList& faces, const Building& house) {
-  visit_triangles(house, [&](FacetKind kind, const RoofPoint& a, const RoofPoint& b, const RoofPoint& c) {
-    faces.add_triangle(a, b, c, is_upright(kind) ? house.wall_colour : house.roof_colour);
-  });
+void add_roof(FaceList& faces, const Building& house, const WallTop& facade_top) {
+  for (const auto& facet : house.roof.facets) {
+    if (facade_top && facet.kind == FacetKind::gable)
+      if (const auto gable = gable_of(house, facet); gable)
+        if (const double top_m = facade_top(gable->a, gable->b); top_m > house.eave_m) {
+          add_gable_above(faces, *gable, top_m, house.wall_colour);
+          continue;
+        }
+    visit_triangles(house, facet, [&](const RoofPoint& a, const RoofPoint& b, const RoofPoint& c) {
+      faces.add_triangle(a, b, c, is_upright(facet.kind) ? house.wall_colour : house.roof_colour);
+    });
+  }
 }
 
 void add_underside(FaceList& faces, const Building& house) {
   const auto base = static_cast<std::int32_t>(std::llround(house.base_m * kRoofStepsPerMetre));
-  visit_triangles(house, [&](FacetKind, const RoofPoint& a, const RoofPoint& b, const RoofPoint& c) {
-    faces.add_triangle({c.at, base}, {b.at, base}, {a.at, base}, house.wall_colour);
-  });
+  for (const auto& facet : house.roof.facets)
+    visit_triangles(house, facet, [&](const RoofPoint& a, const RoofPoint& b, const RoofPoint& c) {
+      faces.add_triangle({c.at, base}, {b.at, base}, {a.at, base}, house.wall_colour);
+    });
 }
 
 }  // namespace vicus

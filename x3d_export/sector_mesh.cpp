@@ -152,13 +152,33 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
   }
 }
 
+/// Facades that reach up into gables; the house's other ones end at the eave.
+WallTop facade_tops(const CityIndex& index, const Sector& sector, const Building& house) {
+  std::vector<const Facade*> tall;
+  for (const Facade* f : index.facades_of(sector.id))
+    if (f->building_id == house.id && f->top_m > house.eave_m) tall.push_back(f);
+  if (tall.empty()) return {};
+  return [tall](PlanPoint a, PlanPoint b) {
+    for (const Facade* f : tall)
+      if (distance_to_segment_mm(a, f->b, f->a) <= kStraight_mm &&
+          distance_to_segment_mm(b, f->b, f->a) <= kStraight_mm)
+        return f->top_m;
+    return -HUGE_VAL;
+  };
+}
+
 /// Roofs, side walls and undersides of the houses that this sector sends.
 void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   const LeveledStretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : LeveledStretches();
   for (const Building* house : index.buildings_of(sector.id))
     if (is_drawn(*house, detail, index, sector)) {
       faces.set_lift(house->ground_m);
-      add_body(faces, *house, [&](const SideWall& wall) { return levels.contains({wall.b, wall.a}); });
+      add_body(
+          faces, *house,
+          [&](const SideWall& wall) {
+            return levels.contains({wall.b, wall.a});
+          },
+          detail == Detail::near ? facade_tops(index, sector, *house) : WallTop());
     }
 }
 

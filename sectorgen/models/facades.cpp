@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "city_db/facade_layout.hpp"
+#include "city_db/gables.hpp"
 #include "city_db/house_parts.hpp"
 #include "city_db/polygon_edges.hpp"
 #include "city_db/segment.hpp"
@@ -75,13 +76,23 @@ class FacadeLayout {
  private:
   void add_border(const Border& border, const Building& house) {
     const auto runs = straight_runs(border.line);
-    for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+    const auto gables = modelled_.contains(house.id) && border.sector_id == house.sector_id
+                            ? full_walls(house)
+                            : std::map<std::pair<PlanPoint, PlanPoint>, double>();
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      double top_m = gables.empty() ? top_of(house) : HUGE_VAL;
+      for (std::size_t k = runs[i]; k < runs[i + 1] && !gables.empty(); ++k) {
+        const auto gable = gables.find({border.line[k + 1], border.line[k]});
+        top_m = std::min(top_m, gable == gables.end() ? top_of(house) : gable->second);
+      }
       for (const WallStretch& piece :
            wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]))
-        if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b);
+        if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b, 0, top_m);
+    }
   }
 
-  void add_stretch(const std::string& sector_id, const Building& house, PlanPoint a, PlanPoint b, double bottom_m = 0) {
+  void add_stretch(const std::string& sector_id, const Building& house, PlanPoint a, PlanPoint b, double bottom_m,
+                   double top_m) {
     Facade f;
     f.sector_id = sector_id;
     f.building_id = house.id;
@@ -89,7 +100,7 @@ class FacadeLayout {
     f.b = b;
     if (f.a == f.b) return;
     f.bottom_m = bottom_m;
-    f.top_m = top_of(house);
+    f.top_m = top_m;
     f.style = style_of(house);
     if (modelled_.contains(house.id)) {
       if (length_m(f) > kLeastOwn_m && f.top_m - f.bottom_m > kLeastOwn_m) city_.facades.push_back(std::move(f));
@@ -121,7 +132,7 @@ class FacadeLayout {
         for (const auto& line : joined_lines(edges)) {
           const auto runs = straight_runs(line);
           for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-            add_stretch(part.sector_id, part, line[runs[i]], line[runs[i + 1]], metres(bottom_mm));
+            add_stretch(part.sector_id, part, line[runs[i]], line[runs[i + 1]], metres(bottom_mm), top_of(part));
         }
     }
   }

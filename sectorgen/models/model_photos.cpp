@@ -110,10 +110,17 @@ std::optional<Paint> sample(const std::vector<Patch>& patches, double x, double 
   return std::nullopt;
 }
 
-/// Places without an image get the mean of the others. Nothing: too many are without.
+/// No finer than the images are. Places without an image get the mean of the others. Nothing: too many are without.
 std::optional<Canvas> picture_of(const Facade& f, const std::vector<Patch>& patches) {
   const double width_m = length_m(f), height_m = f.top_m - f.bottom_m;
-  Canvas picture(photo_side(width_m), photo_side(height_m), width_m, height_m);
+  double along = 0, up = 0;  // pixels of the images, the finest, per metre
+  for (const Patch& patch : patches) {
+    const double w = patch.image->spec().width, h = patch.image->spec().height;
+    along = std::max(along, std::hypot(patch.u[0] * w, patch.v[0] * h));
+    up = std::max(up, std::hypot(patch.u[1] * w, patch.v[1] * h));
+  }
+  Canvas picture(std::min(photo_side(width_m), texture_side(along * width_m)),
+                 std::min(photo_side(height_m), texture_side(up * height_m)), width_m, height_m);
   std::vector<std::pair<int, int>> bare;
   Paint mean;
   double covered = 0;
