@@ -12,6 +12,9 @@ namespace {
 
 constexpr int kDeepFloors = 10;
 constexpr std::size_t kBalconyTriangles = 10, kSillTriangles = 6;
+// In shadow: along a street the reveals hide the panes, and a facade that got lighter by it would differ from its
+// image.
+constexpr double kReveal = 0.6, kSoffit = 0.5;
 
 class FacadeBuilder {
  public:
@@ -152,7 +155,7 @@ class FacadeBuilder {
 
   void recess(LevelFaces& level, const Opening& o) const {
     const double depth = o.depth;
-    const Colour side = shaded(wall_, 0.86), top = shaded(wall_, 0.7);
+    const Colour side = shaded(wall_, kReveal), top = shaded(wall_, kSoffit);
     cheek(level, o.x0, o.z0, o.z1, -depth, 0, false, side);
     cheek(level, o.x1, o.z0, o.z1, -depth, 0, true, side);
     upper_side(level, o.x0, o.x1, o.z0, -depth, 0, stone_);
