@@ -114,7 +114,7 @@ TEST(AddFacade, OwnOpeningsAreTheSameInAllLevels) {
     deep += area_of(b.levels[3].atlas[i], 4)[2];
     EXPECT_NEAR(metres(b.levels[3].atlas[i].corners[0].z), -f.openings[i].depth, 0.0011);
   }
-  for (const auto& [image, face] : b.levels[3].own_images) wall += area_of(face, 4)[2];
+  for (const TexturedFace& face : b.levels[3].own_images.at("t")) wall += area_of(face, 4)[2];
   EXPECT_NEAR(deep, sum, 0.01);
   EXPECT_NEAR(wall + deep, 12.5 * 15, 0.05);
 }
