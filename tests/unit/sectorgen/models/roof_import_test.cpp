@@ -134,6 +134,36 @@ TEST(RoofFromModel, PassesOtherLevelsOfACornerThatTheRimOnlyRisesTo) {
   EXPECT_NEAR(up_at(roof->roof, 7.51, 4.02), 6.5, 1e-3);
 }
 
+/// Built wherever one looks as high as the model, but for the 5 cm round a point.
+void expect_as_model(const HouseModel& model, double notch_x = -1, double notch_y = -1) {
+  std::string fault;
+  const auto roof = roof_from_model(kPlan, model, fault);
+  ASSERT_TRUE(roof) << fault;
+  for (double x = 0.11; x < 12; x += 0.37)
+    for (double y = 0.13; y < 8; y += 0.41)
+      if (std::hypot(x - notch_x, y - notch_y) > 0.06)
+        EXPECT_NEAR(up_at(roof->roof, x, y), model_up_at(model, x, y), 0.01) << x << ", " << y;
+}
+
+TEST(RoofFromModel, CutsThePlanWhereFacesCrossWithoutAnEdge) {
+  expect_as_model(
+      {{face({{0, 0, 3}, {12, 0, 9}, {12, 8, 9}, {0, 8, 3}}), face({{0, 0, 9}, {12, 0, 3}, {12, 8, 3}, {0, 8, 9}})}});
+}
+
+TEST(RoofFromModel, LetsGoWhereHighAndLowPartsMeetLikeAChessboard) {
+  expect_as_model(
+      {{face({{0, 0, 8}, {6, 0, 8}, {6, 4, 8}, {0, 4, 8}}), face({{6, 0, 5}, {12, 0, 5}, {12, 4, 5}, {6, 4, 5}}),
+        face({{0, 4, 5}, {6, 4, 5}, {6, 8, 5}, {0, 8, 5}}), face({{6, 4, 8}, {12, 4, 8}, {12, 8, 8}, {6, 8, 8}})}},
+      6, 4);
+}
+
+TEST(RoofFromModel, HasItsEaveBelowAnInnerCourtThatIsLowerThanTheRim) {
+  expect_as_model(
+      {{face({{0, 0, 7}, {12, 0, 7}, {12, 3, 7}, {0, 3, 7}}), face({{0, 5, 7}, {12, 5, 7}, {12, 8, 7}, {0, 8, 7}}),
+        face({{0, 3, 7}, {4, 3, 7}, {4, 5, 7}, {0, 5, 7}}), face({{8, 3, 7}, {12, 3, 7}, {12, 5, 7}, {8, 5, 7}}),
+        face({{4, 3, 4}, {8, 3, 4}, {8, 5, 4}, {4, 5, 4}})}});
+}
+
 TEST(RoofFromModel, SaysWhyItCannotBeUsed) {
   std::string fault;
   HouseModel half{{face({{0, 0, 5}, {6, 0, 5}, {6, 8, 5}, {0, 8, 5}})}};
