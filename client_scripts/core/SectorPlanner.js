@@ -37,13 +37,15 @@ const kLongestFrame = 1;
 export class SectorPlanner {
     /**
      * `nearOnly`: the world has no far and tall files, near ones stand for them, and i is 1 at most. `level`: i to start
-     * with, `limit`: the largest, `fixedLevel`: no choice; `test`: of SectorFinder.
+     * with, `limit`: the largest, `fixedLevel`: no choice; `test`: of SectorFinder. `filesAtOnce`: how many one request can
+     * bring.
      */
     constructor(start, { keepSeconds = kKeepSeconds, shapeCap = kShapeCap, loadsInFlight = kLoadsInFlight, nearOnly = false,
-        level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
-        this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly };
+        filesAtOnce = 1, level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
+        this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly, filesAtOnce };
+        this.requests = 0;
         this.sectors = new Map();   // id -> sector, ground null while only others have told of it
-        this.states = new Map();    // stem -> { phase: loading | live | failed, askedAt, wantedAt, failures, retryAt }
+        this.states = new Map();    // stem -> { phase: loading | live | failed, request: its number, askedAt, wantedAt, failures, retryAt }
         this.current = start;
         this.finder = new SectorFinder(test, { marginMm });
         this.choice = new LevelChoice({ start: level, limit: nearOnly ? Math.min(limit, 1) : limit, fixed: fixedLevel });
@@ -105,12 +107,12 @@ export class SectorPlanner {
     }
 
     /**
-     * -> { current, changed, level, load: at most one stem, unload: stems, wakeAt }. `position` may be null: not known
+     * -> { current, changed, level, load: stems, at most filesAtOnce, unload: stems, wakeAt }. `position` may be null: not known
      * yet. `heading`: radians clockwise from north; `isJump`: the visitor was put there; `waitSeconds`, `memoryShare`: of
      * LevelChoice, where the owner knows better.
      * Nothing changes before `wakeAt` (s, Infinity: never) unless the visitor moves or a file arrives or fails.
      */
-    plan(position, now, { heading = null, isJump = false, waitSeconds = 0, memoryShare = 0 } = {}) {
+    plan(position, now, { heading = null, isJump = false, waitSeconds = null, memoryShare = 0 } = {}) {
         const before = this.current, point = position && latticePoint(position), { i } = this;
         if (isJump) this.finder.jump();
         if (point) this.current = this.finder.find(this.sectors, this.current, point);
@@ -141,7 +143,7 @@ export class SectorPlanner {
             if (!state || state.phase === 'loading') isSettled &&= this.isServedFiner(stem, now);
         }
         const shapes = this.liveShapes(), more = sectorsWithin(this.sectors, current, before + 1).size - wanted.size;
-        this.choice.judge({ now, isSettled, waitSeconds: Math.max(waitSeconds, now - oldest), shapes, memoryShare,
+        this.choice.judge({ now, isSettled, waitSeconds: waitSeconds ?? now - oldest, shapes, memoryShare,
             nextShapes: shapes + Math.max(0, more) * kMergedShapes, shapeCap: this.options.shapeCap });
     }
 
@@ -232,20 +234,34 @@ export class SectorPlanner {
         });
     }
 
+    /** One request: the file of the sector he is in alone, others as many together as the owner can ask for at once. */
     nextLoad(wanted, now, point, heading) {
-        let inFlight = 0;
-        for (const { phase } of this.states.values()) if (phase === 'loading') ++inFlight;
-        if (inFlight >= this.options.loadsInFlight) return [];
-        const isFull = this.excessShapes(wanted) > 0;
+        const { loadsInFlight, filesAtOnce, shapeCap } = this.options, loading = [...this.states].filter(([, { phase }]) => phase === 'loading');
+        if (new Set(loading.map(([, { request }]) => request)).size >= loadsInFlight) return [];
+        const isFull = this.excessShapes(wanted) > 0, load = [];
+        let outermost = this.outermostRing(loading.map(([stem]) => stem), wanted);
+        ++this.requests;
         for (const { stem } of this.missing(wanted, now, point, heading)) {
-            const state = this.states.get(stem);
+            const state = this.states.get(stem), isHere = stem === this.current;
+            if (load.length >= filesAtOnce || wanted.get(stem).ring > outermost) break;
             if (!state && !isFull && this.isServedFiner(stem, now)) continue;
-            const fits = this.liveShapes() + this.shapesOf(stem) <= this.options.shapeCap;
-            if (!state && !fits && stem !== this.current && !this.isCoarser(stem)) return [];
-            this.states.set(stem, { phase: 'loading', askedAt: now, wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
-            return [stem];
+            const fits = this.liveShapes() + this.shapesOf(stem) <= shapeCap;
+            if (!state && !fits && !isHere && !this.isCoarser(stem)) break;
+            this.states.set(stem, { phase: 'loading', request: this.requests, askedAt: now, wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
+            load.push(stem);
+            if (isHere) break;
+            if (load.length === 1) outermost = Math.min(outermost, this.outermostRing(load, wanted));
         }
-        return [];
+        return load;
+    }
+
+    /**
+     * Files of a ring tell what there is in the next: where many come by one request, the next ring waits for them, so that it
+     * takes one request, too.
+     */
+    outermostRing(loading, wanted) {
+        if (this.options.filesAtOnce === 1) return Infinity;
+        return Math.max(1, Math.min(...loading.map(stem => wanted.get(stem)?.ring ?? Infinity)));
     }
 
     /** What is wanted and neither there nor on its way, the most urgent first. */

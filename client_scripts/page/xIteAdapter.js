@@ -1,8 +1,10 @@
 import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
-import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
 import { axisAngle } from './axisAngle.js';
+import { calmGl } from './calmGl.js';
+import { groundOfElements, recordOfElements } from './sectorElements.js';
+import { readScene } from './slicedScene.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 /** m: radius (twice the near plane), eye, step. */
@@ -15,7 +17,7 @@ const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblc
 
 /**
  * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
- * (getUserPosition, ...) and the load states are that version's own.
+ * (getUserPosition, ...) and the load states are that version's own; so is what slicedScene.js and calmGl.js do.
  *
  * Frame   poses: { east, north, up } in plan metres of the eye, heading and pitch in radians, heading clockwise from
  *         north, pitch up. The root world's axes are x = east, y = up, z = -north.
@@ -30,6 +32,7 @@ export class XIteAdapter {
         canvas.tabIndex = -1;   // the window around it has the focus and the keys
         const view = new XIteAdapter(X3D, canvas);
         withoutTangents(view.browser.currentScene);
+        calmGl(view.browser, Object.getPrototypeOf(view.browser.currentScene.createNode('ImageTexture').getValue()));
         return view;
     }
 
@@ -37,6 +40,7 @@ export class XIteAdapter {
         this.X3D = X3D;
         this.canvas = canvas;
         this.browser = canvas.browser;
+        this.records = new WeakMap();   // scene -> its record
     }
 
     /**
@@ -64,9 +68,22 @@ export class XIteAdapter {
         return { transform, inline };
     }
 
-    /** The scene that a sector's file describes, its textures and parts loaded. Fails   Error: it cannot be read. */
-    makeScene(text) {
-        return this.browser.createX3DFromString(text);
+    /**
+     * The scene that a sector's file describes, its images loaded; `parts`: [name, text] of those of its Inlines that are at hand.
+     * Made between frames, slice by slice. Fails   Error: it cannot be read, or `signal` gave it up.
+     */
+    async makeScene(text, parts = [], signal = null) {
+        const document = parsed(text), names = new Set(parts.map(([name]) => name));
+        for (const inline of document.querySelectorAll('Inline')) if (names.has(nameOf(inline))) inline.setAttribute('load', 'false');
+        const scene = await readScene(this, document, { signal }), scenes = [scene];
+        this.records.set(scene, recordIn(document));
+        const inlines = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Inline');
+        for (const [name, part] of parts) {
+            scenes.push(await readScene(this, parsed(part), { signal }));
+            inlines.find(({ url }) => url[0] === name).getValue().setInternalScene(scenes.at(-1));
+        }
+        await Promise.all(scenes.map(allLoaded));
+        return scene;
     }
 
     fill({ inline }, scene) {
@@ -79,15 +96,9 @@ export class XIteAdapter {
         world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => node !== transform));
     }
 
-    /** The record in a sector's scene, or null. */
+    /** The record in a sector's scene, with the triangles of its ground as `surface`; or null. */
     recordOf(scene) {
-        try {
-            const record = recordFromMetadata(scene.getNamedNode('RECORD'));
-            record.surface = surfaceOf(scene, record.origin);
-            return record;
-        } catch {
-            return null;
-        }
+        return this.records.get(scene);
     }
 
     /** How much the picture in a gate shows, 0 ... 1. */
@@ -195,15 +206,29 @@ export class XIteAdapter {
     }
 }
 
-/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
-function surfaceOf(scene, [east, north]) {
+function parsed(text) {
+    return new DOMParser().parseFromString(text, 'application/xml');
+}
+
+/** What an Inline names first. */
+function nameOf(inline) {
+    return inline.getAttribute('url')?.match(/"([^"]*)"/)?.[1];
+}
+
+function recordIn(document) {
     try {
-        const { coord, coordIndex } = scene.getNamedNode('GROUND').geometry;
-        const points = Array.from(coord.point, p => [1000 * (east + p.x), 1000 * (north - p.z), 1000 * p.y]);
-        return { points, triangles: Array.from(coordIndex).filter(index => index >= 0) };
+        const record = recordOfElements(document);
+        return record && Object.assign(record, { surface: groundOfElements(document, record.origin) });
     } catch {
-        return null;   // a sector without ground of its own
+        return null;   // SectorLoader says of which file
     }
+}
+
+const kLookAgainMs = 20;
+
+/** Its images have come, or could not be had. */
+async function allLoaded(scene) {
+    while (scene._loadCount.getValue() > 0) await new Promise(resolve => setTimeout(resolve, kLookAgainMs));
 }
 
 function clampUnit(value) {

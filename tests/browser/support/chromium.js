@@ -38,6 +38,7 @@ export async function openTab(context) {
     await devtools.send('Network.enable');
     const paths = new Map();
     devtools.on('Network.requestWillBeSent', ({ requestId, request }) => {
+        if (!request.url.startsWith('http')) return;   // what the page has already: blob:, data:
         paths.set(requestId, new URL(request.url).pathname);
         tab.requests.push({ path: new URL(request.url).pathname, at: Date.now() });
     });
