@@ -44,6 +44,7 @@ export class SectorPlanner {
         filesAtOnce = 1, level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
         this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly, filesAtOnce };
         this.requests = 0;
+        this.wantedNow = new Map(); // stem -> { ring, level }, of the last plan
         this.sectors = new Map();   // id -> sector, ground null while only others have told of it
         this.states = new Map();    // stem -> { phase: loading | live | failed, request: its number, askedAt, wantedAt, failures, retryAt }
         this.current = start;
@@ -117,7 +118,7 @@ export class SectorPlanner {
         if (isJump) this.finder.jump();
         if (point) this.current = this.finder.find(this.sectors, this.current, point);
         this.observe(point, now);
-        const wanted = this.wanted(point);
+        const wanted = this.wantedNow = this.wanted(point);
         for (const [stem, { wantedAt }] of this.states) if (wanted.has(stem) && wantedAt < now) this.states.get(stem).wantedAt = now;
         const unload = this.unloads(wanted, now), load = this.nextLoad(wanted, now, point, heading);
         this.chooseLevel(wanted, now, waitSeconds, memoryShare);
@@ -274,6 +275,12 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current), view = heading === null ? null : [Math.sin(heading), Math.cos(heading)];
         const visitor = { point, view, walk: this.last.walk };
         return missing.map(([stem, place]) => loadEntry(stem, place, current, this.sectors.get(idOf(stem)), visitor)).sort(compareLoads);
+    }
+
+    /** < 0: the file of stem `a` is needed before that of `b`, as the last plan wants them; 0: alike. */
+    compareNeed(a, b) {
+        const [first, second] = [a, b].map(stem => this.wantedNow.get(stem) ?? { ring: Infinity, level: levelOf(stem) });
+        return first.ring === second.ring ? urgencyOf(first.level) - urgencyOf(second.level) : first.ring - second.ring;
     }
 
     /** Would the file replace one with more Shapes? */

@@ -1,27 +1,34 @@
+import { urgencyOf } from '../core/loadOrder.js';
 import { levelOf } from '../core/sectorRecord.js';
 import { SectorTexts } from './SectorTexts.js';
 
 /** Bytes a file has until one of its level has come: medians of two cities, as sent. */
 const kTypicalBytes = { near: 13000, far: 3500, tall: 2500 };
+/** s from one file put into the world to the next; a longer frame takes as many more, or a slow machine never catches up. */
+const kInsertSeconds = 1 / 30, kMostInserted = 4;
+/** Files read at a time: while images of one are on their way another goes on. */
+const kMostRead = 3;
 /** The share of a mean that a new value has. */
 const kNew = 0.2;
 
 /**
  * Shows and hides sectors' files for the page: fetches them, so that a request can be given up and its bytes counted, reads
- * one at a time, and puts at most one into the world per frame. The Script's counterpart is x3d/InlineSectors.
+ * a few at a time, and puts at most one into the world per frame, thirty a second where frames are slow. The Script's counterpart is x3d/InlineSectors.
  *
  * Needs   `stage` (XIteAdapter): place(origin), makeScene(text, parts, signal), fill(place, scene), empty(place), recordOf(scene),
  * setImpostor(scene, gateId, opacity), setDoor(scene, doorId, look), touchTime(scene, doorId).
  */
 export class FetchedSectors {
-    /** `parcels`: of SectorTexts. */
+    /** `parcels`: of SectorTexts. `compareNeed(a, b)`, of stems: SectorPlanner's, set by whoever has one. */
     constructor(stage, base, { parcels = null, request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
         const told = (bytes, seconds) => this.countSpeed(bytes / Math.max(0.001, seconds));
         const texts = new SectorTexts(base, { parcels, request, clock, told });
-        Object.assign(this, { stage, base, texts, clock, files: new Map(), ready: [], made: [], reading: null });
+        Object.assign(this, { stage, base, texts, clock, files: new Map(), ready: [], made: [], reading: 0 });
         this.means = { ...kTypicalBytes };
         this.loaded = { bytes: 0, files: 0 };
         this.bytesPerSecond = null;
+        this.compareNeed = (a, b) => urgencyOf(levelOf(a)) - urgencyOf(levelOf(b));
+        this.frameAt = clock();
     }
 
     show(stem, origin) {
@@ -52,27 +59,35 @@ export class FetchedSectors {
         this.bytesPerSecond = this.bytesPerSecond === null ? speed : this.bytesPerSecond + kNew * (speed - this.bytesPerSecond);
     }
 
-    /** Once a frame: sends for what was asked for, and puts at most one file into the world. */
-    frame() {
+    /** Once a frame, after all that is asked for in it. */
+    send() {
         this.texts.send();
-        const made = this.made.shift();
-        if (made && !made.abort.signal.aborted) this.insert(made);
-        if (!this.reading) this.readNext();
     }
 
-    /** One at a time, near ones first: those that are waited for most. */
+    /** Once a frame: puts what has been made into the world. */
+    frame() {
+        const now = this.clock(), most = Math.min(kMostInserted, Math.floor((now - this.frameAt) / kInsertSeconds));
+        this.frameAt = now;
+        this.made = this.made.filter(({ abort }) => !abort.signal.aborted);
+        for (const made of this.made.splice(0, Math.max(1, most))) this.insert(made);
+        this.readNext();
+    }
+
+    /** What is needed most first. */
     readNext() {
-        this.ready = this.ready.filter(({ abort }) => !abort.signal.aborted);
-        const next = this.ready.find(({ file }) => levelOf(file.stem) === 'near') ?? this.ready[0];
+        if (this.reading >= kMostRead) return;
+        this.ready = this.ready.filter(({ abort }) => !abort.signal.aborted).sort((a, b) => this.compareNeed(a.file.stem, b.file.stem));
+        const next = this.ready.shift();
         if (!next) return;
-        this.ready.splice(this.ready.indexOf(next), 1);
         const { file, text, parts, abort } = next;
-        this.reading = this.stage.makeScene(text, parts, abort.signal)
+        ++this.reading;
+        this.stage.makeScene(text, parts, abort.signal)
             .then(scene => { this.made.push({ file, scene, abort }); }, error => fail(file, abort, error))
             .finally(() => {
-                this.reading = null;
+                --this.reading;
                 this.readNext();
             });
+        this.readNext();
     }
 
     insert({ file, scene }) {

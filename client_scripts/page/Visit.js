@@ -17,6 +17,7 @@ export class Visit {
         this.files = new FetchedSectors(stage, world.base, { parcels });
         this.loader = new SectorLoader(world.start, this.files, {
             complain, loadsInFlight, filesAtOnce, limit, fixedLevel: settings.level, level: settings.startLevel ?? 1, test: settings.test });
+        this.files.compareNeed = (a, b) => this.planner.compareNeed(a, b);
         const { start: id, origin: [east, north] } = world;
         this.planner.addNeighbour({ id, origin: world.origin, box: [east - 1, north - 1, east + 1, north + 1] });
         Object.assign(this, { current: world.start, level: this.planner.i, isJump: false, firstStreetAt: 0, failed: new Set() });
@@ -55,11 +56,12 @@ export class Visit {
 
     /** One frame: what is asked for, given up, put into the world. */
     step(pose, now) {
+        this.files.frame();   // first: the planner hears of it in the same frame
         const { waitSeconds } = this.files;
         const plan = this.loader.step(pose && [pose.east, pose.north], now, {
             heading: pose?.heading ?? null, isJump: this.isJump, waitSeconds, memoryShare: memoryShare() });
         Object.assign(this, { current: plan.current, level: plan.level, isJump: false });
-        this.files.frame();
+        this.files.send();
         this.sectors = this.files.list();
         if (!this.firstStreetAt && this.here) this.firstStreetAt = performance.now();
         const isFailed = ({ stem, phase }) => phase === 'failed' || (phase === 'loading' && this.failed.has(stem));

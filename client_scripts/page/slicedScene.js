@@ -1,38 +1,49 @@
-/** ms: of a slice where the browser does not say how long it has time. */
-const kSliceMs = 8;
-/** ms after which a slice is due even though the browser has no time. */
-const kPatienceMs = 60;
+import { readNumbersQuickly } from './quickFaces.js';
+
+/** ms of a slice. The browser's own idle time is no measure: where the graphics card is behind, it has none for seconds, though the
+    page does nothing. */
+const kSliceMs = 6;
 
 /**
  * Nodes of an X3D document, made slice by slice between frames: X_ITE's own way makes a whole file at once, 40 ms for 100 kB on a
- * fast machine, in which nothing moves. By X_ITE 15.0.1's own XML parser, one child of Scene at a time.
+ * fast machine, in which nothing moves. By X_ITE 15.0.1's own XML parser, one child of Scene at a time, of an
+ * LOD one level.
  *
- * `signal`: gives it up. `turn()`: a promise of the time of a slice, { timeRemaining() }.
+ * `signal`: gives it up. `turn()`: a promise of when the next slice ends.
  * Returns the scene, live, its images perhaps on their way. Fails   Error: no X3D, or given up.
  */
-export async function readScene({ X3D, browser }, document, { signal, turn = idleTurn } = {}) {
-    const head = document.cloneNode(false), root = document.documentElement, children = sceneOf(document);
-    head.append(skeletonOf(head, root));
-    const scene = await browser.createX3DFromString(new XMLSerializer().serializeToString(head));
+export async function readScene({ X3D, browser }, document, { signal, turn = nextTurn } = {}) {
+    const children = sceneOf(document), scene = await emptyScene(browser, document.documentElement);
     const Parser = X3D.require('XMLParser'), parser = new Parser(scene);
+    readNumbersQuickly(parser);
     parser.setInput(document);
     parser.pushExecutionContext(scene);
-    let deadline = await turn();
-    for (const child of children) {
+    let end = await turn();
+    const read = async (child, parent) => {
         if (signal?.aborted) throw new Error('given up');
-        if (deadline.timeRemaining() <= 0) deadline = await turn();
+        if (performance.now() >= end) end = await turn();
+        if (parent) parser.pushParent(parent);
         parser.childElement(child);
+        if (parent) parser.popParent();
         parser.setupNodes();
+    };
+    for (const child of children) {
+        if (child.nodeName !== 'LOD') await read(child);
+        else {
+            await read(child.cloneNode(false));
+            const lod = scene.rootNodes.at(-1).getValue();
+            for (const level of [...child.children]) await read(level, lod);
+        }
     }
     return scene;
 }
 
-/** X3D, head and an empty Scene. */
-function skeletonOf(document, root) {
-    const skeleton = document.importNode(root, false), head = root.querySelector('head');
-    if (head) skeleton.append(document.importNode(head, true));
-    skeleton.append(document.createElement('Scene'));
-    return skeleton;
+/** With the profile and components that the document names; addresses in it are relative to the browser's base. */
+async function emptyScene(browser, root) {
+    const components = [...root.querySelectorAll('head > component')].map(node => browser.getComponent(node.getAttribute('name'), Number(node.getAttribute('level'))));
+    const scene = await browser.createScene(browser.getProfile(root.getAttribute('profile')), ...components);
+    scene.setWorldURL(browser.getBaseURL());
+    return scene;
 }
 
 function sceneOf(document) {
@@ -41,17 +52,14 @@ function sceneOf(document) {
     return [...scene.children];
 }
 
-/** The next time that the browser has nothing better to do. */
-function idleTurn() {
+/** As soon as frames, clicks and keys that wait have had their turn. */
+function nextTurn() {
     return new Promise(resolve => {
-        if (globalThis.requestIdleCallback) requestIdleCallback(deadline => resolve(sliceFrom(deadline)), { timeout: kPatienceMs });
-        else setTimeout(() => resolve(sliceFrom({ timeRemaining: () => kSliceMs })));
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => {
+            port1.close();
+            resolve(performance.now() + kSliceMs);
+        };
+        port2.postMessage(null);
     });
-}
-
-/** Ends with the browser's idle time, after kSliceMs at the latest; where there is no idle time, too. */
-function sliceFrom(idle) {
-    const end = performance.now() + kSliceMs;
-    const hasTime = idle.didTimeout ? () => true : () => idle.timeRemaining() > 0;
-    return { timeRemaining: () => (hasTime() ? end - performance.now() : 0) };
 }

@@ -3,6 +3,7 @@ import { fadeImpostor } from '../core/GateImpostors.js';
 import { steadyLevel } from '../core/steadyLevel.js';
 import { axisAngle } from './axisAngle.js';
 import { calmGl } from './calmGl.js';
+import { buildQuickly } from './quickFaces.js';
 import { groundOfElements, recordOfElements } from './sectorElements.js';
 import { readScene } from './slicedScene.js';
 
@@ -13,11 +14,20 @@ const kPictures = {
     open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })),
     close: address => URL.revokeObjectURL(address),
 };
+const kWhite = 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+const kSpeck = `<IndexedFaceSet coordIndex='0 1 2 -1 0 1 2 -1'><Coordinate point='0 0 0 1e-4 0 0 0 1e-4 0'/></IndexedFaceSet>`;
+/** As sector files have them: plain, with a colour for each face, under an image. */
+const kSpecks = `<X3D profile='Interchange' version='4.0'><Scene><Transform>
+    <Shape><Appearance><Material/></Appearance>${kSpeck}</Shape>
+    <Shape><Appearance><Material/></Appearance>${kSpeck.replace('><C', ` colorPerVertex='false' colorIndex='0 1'><Color color='1 1 1 0 0 0'/><C`)}</Shape>
+    <Shape><Appearance><Material/><ImageTexture url='"${kWhite}"'/></Appearance>${kSpeck}</Shape>
+</Transform></Scene></X3D>`;
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
  * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
- * (getUserPosition, ...) and the load states are that version's own; so is what slicedScene.js and calmGl.js do.
+ * (getUserPosition, ...) and the load states are that version's own; so is what slicedScene.js, calmGl.js and
+ * quickFaces.js do.
  *
  * Frame   poses: { east, north, up } in plan metres of the eye, heading and pitch in radians, heading clockwise from
  *         north, pitch up. The root world's axes are x = east, y = up, z = -north.
@@ -32,7 +42,9 @@ export class XIteAdapter {
         canvas.tabIndex = -1;   // the window around it has the focus and the keys
         const view = new XIteAdapter(X3D, canvas);
         withoutTangents(view.browser.currentScene);
-        calmGl(view.browser, Object.getPrototypeOf(view.browser.currentScene.createNode('ImageTexture').getValue()));
+        const prototypeOf = type => Object.getPrototypeOf(view.browser.currentScene.createNode(type).getValue());
+        calmGl(view.browser, prototypeOf('ImageTexture'));
+        buildQuickly(prototypeOf('IndexedFaceSet'));
         return view;
     }
 
@@ -55,6 +67,19 @@ export class XIteAdapter {
         steadyLevels(this.browser.currentScene);
         const navigation = this.browser.activeNavigationInfo;
         if (navigation) navigation.type = new this.X3D.MFString('NONE');
+        await this.warmShaders();
+    }
+
+    /**
+     * Draws a speck of each kind of Shape while the first files are on their way: a shader is made when the first Shape needs it,
+     * and the frame waits for that. fill() takes the specks away.
+     */
+    async warmShaders() {
+        const { SFVec3f } = this.X3D, { east, north, up, heading } = this.pose();
+        const specks = (await this.browser.createX3DFromString(kSpecks)).rootNodes[0];
+        specks.translation = new SFVec3f(east + 2 * Math.sin(heading), up, -north - 2 * Math.cos(heading));
+        this.browser.currentScene.rootNodes.push(specks);
+        this.specks = specks;
     }
 
     /** A place for a sector's file in the world: Transform (the sector's origin) > Inline that fetches nothing itself. */
@@ -87,6 +112,9 @@ export class XIteAdapter {
     }
 
     fill({ inline }, scene) {
+        const { currentScene } = this.browser;
+        if (this.specks) currentScene.rootNodes = new this.X3D.MFNode(...Array.from(currentScene.rootNodes).filter(node => node !== this.specks));
+        this.specks = null;
         inline.getValue().setInternalScene(scene);
     }
 
