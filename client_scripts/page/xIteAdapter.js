@@ -22,6 +22,8 @@ const kSpecks = `<X3D profile='Interchange' version='4.0'><Scene><Transform>
     <Shape><Appearance><Material/></Appearance>${kSpeck.replace('><C', ` colorPerVertex='false' colorIndex='0 1'><Color color='1 1 1 0 0 0'/><C`)}</Shape>
     <Shape><Appearance><Material/><ImageTexture url='"${kWhite}"'/></Appearance>${kSpeck}</Shape>
 </Transform></Scene></X3D>`;
+/** ms after a sector went: by then a frame without it has been drawn. */
+const kLetGoMs = 1000;
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
@@ -122,6 +124,19 @@ export class XIteAdapter {
         inline.getValue().requestUnload();
         const world = this.browser.currentScene.getNamedNode('WORLD');
         world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => node !== transform));
+        this.letting ??= setTimeout(() => {
+            this.letting = null;
+            this.letGo();
+        }, kLetGoMs);
+    }
+
+    /** X_ITE keeps a place for each Shape that it ever drew at a time, and in it the last Shape, whose whole scene then stays. */
+    letGo() {
+        const { layer0: layer } = this.browser.getWorld();
+        for (const kind of ['opaque', 'transparent', 'pointing', 'collision']) {
+            const places = layer[`${kind}Shapes`], used = layer[`num${kind[0].toUpperCase()}${kind.slice(1)}Shapes`];
+            if (places?.length > used) places.length = used;
+        }
     }
 
     /** The record in a sector's scene, with the triangles of its ground as `surface`; or null. */

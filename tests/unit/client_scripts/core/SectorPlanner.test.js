@@ -289,3 +289,40 @@ test('i goes by measure: up where all is calm, and wakeAt tells when', () => {
     assert.equal(visit.planner.i, 2);
     assert.ok(visit.live.has('s2.far'));
 });
+
+test('many files by one request: the sector he is in alone, then all of L_1 at once, then all of the next ring at once', () => {
+    const visit = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2, filesAtOnce: 48 }, delay: 4 }), requests = [];
+    for (let i = 0; i < 120; ++i) {
+        const { load } = visit.frame([5, 0]);
+        if (load.length) requests.push(load);
+    }
+    const one = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2 } }).stay([5, 0], 5);
+    assert.deepEqual(visit.liveIds, one.liveIds, 'the same files as one by one');
+    assert.deepEqual(requests[0], ['s0']);
+    const ringOf = stem => visit.planner.wantedNow.get(stem).ring;
+    assert.ok(requests[1].length > 1);
+    for (const load of requests) assert.equal(new Set(load.map(ringOf)).size, 1, `${load}: of one ring`);
+    assert.deepEqual(visit.asked, [...new Set(visit.asked)], 'nothing is asked for twice');
+    const few = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 1, filesAtOnce: 2, loadsInFlight: 1 }, delay: 4 }).stay([5, 0], 5);
+    assert.equal(few.perFrame, 2);
+});
+
+test('what is needed most: by ring, then near before far before tall, what is not wanted last', () => {
+    const visit = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2 } }).stay([5, 0], 5);
+    const stems = [...visit.planner.wantedNow.keys(), 'nobody'].sort((a, b) => visit.planner.compareNeed(a, b));
+    const rings = stems.slice(0, -1).map(stem => visit.planner.wantedNow.get(stem).ring);
+    assert.equal(stems[0], 's0');
+    assert.equal(stems.at(-1), 'nobody');
+    assert.deepEqual(rings, [...rings].sort());
+});
+
+test('how long files wait is told by who knows the line; else since when they were asked for', () => {
+    for (const [waitSeconds, least] of [[null, 1], [0, 2]]) {
+        const planner = new SectorPlanner('s0', { level: 2 }), [s0, ...others] = streetRecords();
+        planner.addNeighbour(s0);
+        planner.plan([5, 0], 0);
+        planner.arrived('s0', s0);
+        for (let now = 0; now < 30; now += 0.25) planner.plan([5, 0], now, { waitSeconds });
+        assert.equal(planner.i, least, `${others.length} files never arrive`);
+    }
+});
