@@ -17,6 +17,8 @@ const kLoadsInFlight = 3;
 const kRetrySeconds = [1, 2, 4, 8, 16, 30];
 /** mm from a gate at which L_0 takes in what lies behind: a gate to nothing is shut. */
 const kThresholdMm = 12000;
+/** mm from a gate that he walks towards, at which L_1 takes in what is seen from behind it: else that is missing when he comes in. */
+const kAheadMm = 20000;
 /** s between two frames, above which the browser slept. */
 const kLongestFrame = 1;
 
@@ -31,8 +33,8 @@ const kLongestFrame = 1;
  * Frame   positions and records in plan metres, [east, north]; times in seconds, never decreasing.
  * Needs   every stem given to arrived() or failed() was returned in `load` before.
  * Cost    the set only when the sector, i or what is known changes; its order when something is missing.
- * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate; doors in use add L_i of both
- *         their sides.
+ * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate; L_1 what is seen from behind a gate
+ *         that he walks to; doors in use add L_i of both their sides.
  */
 export class SectorPlanner {
     /**
@@ -166,7 +168,7 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current);
         if (!current) return new Map();
         if (!point) return new Map([[stemOf(current.id, 'near'), { ring: 0, level: 'near' }]]);
-        const set = new Map(this.setAround(current));
+        const set = new Map(this.setAround(current, this.behindGatesAhead(current, point)));
         const addNear = sector => { set.set(sector.id, { ring: 1, level: 'near' }); };
         if (this.i === 0)
             for (const sector of (current.gates ?? []).map(gate => this.sectors.get(gate.to)).filter(Boolean))
@@ -177,10 +179,27 @@ export class SectorPlanner {
         return new Map([...set].map(([id, { ring, level }]) => [stemOf(id, nearOnly ? 'near' : level), { ring, level }]));
     }
 
-    setAround(current) {
-        const key = [current.id, this.i, this.known, ...this.beyondDoors].join(' ');
-        if (this.set?.key !== key) this.set = { key, sectors: this.setWithDoors(current) };
+    setAround(current, ahead) {
+        const key = [current.id, this.i, this.known, ...this.beyondDoors, '>', ...ahead].join(' ');
+        if (this.set?.key !== key) this.set = { key, sectors: this.withWhatIsAhead(this.setWithDoors(current), ahead) };
         return this.set.sectors;
+    }
+
+    /** Ids of sectors that he comes to soon; with i = 2 all that they see is there anyway. */
+    behindGatesAhead(current, point) {
+        const { walk } = this.last;
+        if (this.i !== 1 || !walk || this.options.nearOnly) return [];
+        const isAhead = ({ line: [[x, y]] }) => (x - point[0]) * walk[0] + (y - point[1]) * walk[1] > 0;
+        const near = (current.gates ?? []).filter(gate => gate.to && isAhead(gate) && gateDistance(current, { id: gate.to }, point) < kAheadMm);
+        return [...new Set(near.map(({ to }) => to))].filter(id => this.sectors.get(id)?.ground);
+    }
+
+    /** What those see, after all that is seen from here, and far: it is near when he is there. */
+    withWhatIsAhead(set, ahead) {
+        for (const id of ahead)
+            for (const [other, { level }] of sectorsWithin(this.sectors, this.sectors.get(id), 1))
+                if (!set.has(other)) set.set(other, { ring: 2, level: level === 'near' ? 'far' : level });
+        return set;
     }
 
     /** L_i, and L_i of what is behind doors in use: these first, because somebody waits for them. */
