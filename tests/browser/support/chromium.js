@@ -44,6 +44,7 @@ export async function openTab(context) {
     });
     devtools.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
         const path = paths.get(requestId);
+        if (!path) return;
         tab.bytes.set(path, (tab.bytes.get(path) ?? 0) + encodedDataLength);
     });
     return tab;
