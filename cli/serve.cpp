@@ -85,10 +85,11 @@ void serve(const Arguments& arguments, Context& context) {
   const auto metrics = std::make_shared<Metrics>();
   const auto tiles =
       std::make_shared<MadeTiles>([path = arguments.city](const std::string& tile) { return make_tile(path, tile); });
+  const auto parcels = std::make_shared<Parcels>();
   raise_descriptor_limit(arguments.options);
   const TourDesk desk = tour_desk(std::make_shared<SharedGuide>(arguments.city));
   const auto new_responder = [&]() -> Responder {
-    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles, desk);
+    const auto routes = std::make_shared<Routes>(arguments.city, files, metrics, tiles, desk, parcels);
     return [routes](const HttpRequest& request) { return routes->respond(request); };
   };
   HttpServer server(arguments.options, new_responder, metrics,

@@ -77,8 +77,8 @@ std::string safe_media_type(const std::string& media_type) {
   return ok ? media_type : "application/octet-stream";
 }
 
-std::string in_coding(std::string bytes, const std::string& coding) {
-  if (coding == "br") return brotli(bytes, kBrotliQuality);
+std::string in_coding(std::string bytes, const std::string& coding, int brotli_quality = kBrotliQuality) {
+  if (coding == "br") return brotli(bytes, brotli_quality);
   if (coding == "gzip") return gzip(bytes, kGzipLevel);
   return bytes;
 }
@@ -170,6 +170,25 @@ std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const Ci
     if (response.body) return response;
   }
   return not_acceptable(kNoCoding);
+}
+
+std::string plain_artefact(const CityReader& city, const std::string& path) {
+  const auto rows = city.artefact_codings(path);
+  if (rows.empty()) throw CityError("the city has no " + path);
+  return plain_bytes(city, rows.front());
+}
+
+HttpResponse answer_composed(
+    const HttpRequest& request, const std::string& media_type, const std::string& hash, int brotli_quality,
+    const std::function<std::shared_ptr<const std::string>(const std::string& coding, const Code& code)>& make) {
+  auto choice = choose(request, media_type);
+  if (choice.refusal) return *std::move(choice.refusal);
+  if (choice.codings.empty()) return not_acceptable(kNoCoding);
+  const std::string& coding = choice.codings.front();
+  auto response = answer_in_coding(request, media_type, coding, etag_of(hash, coding), Caching::revalidate);
+  if (response.status == 200)
+    response.body = make(coding, [&](std::string plain) { return in_coding(std::move(plain), coding, brotli_quality); });
+  return response;
 }
 
 void add_common_fields(HttpResponse& response) {

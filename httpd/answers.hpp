@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,19 @@ HttpResponse answer_made(const HttpRequest& request, const std::string& media_ty
 /// Fails   CityError: the stored bytes cannot be unpacked.
 std::optional<HttpResponse> answer_artefact(const HttpRequest& request, const CityReader& city,
                                             const std::string& path);
+
+/// The plain bytes of the artefact of that path.
+/// Fails   CityError: there is none, or it cannot be unpacked.
+std::string plain_artefact(const CityReader& city, const std::string& path);
+
+/// Puts plain bytes into the coding that was chosen.
+using Code = std::function<std::string(std::string plain)>;
+
+/// Bytes that are made only where the client has not those of `hash` already: `make(coding, code)` gives them in `coding`,
+/// brotli of that quality.
+HttpResponse answer_composed(
+    const HttpRequest& request, const std::string& media_type, const std::string& hash, int brotli_quality,
+    const std::function<std::shared_ptr<const std::string>(const std::string& coding, const Code& code)>& make);
 
 /// 406 that says what there is.
 HttpResponse not_acceptable(const std::string& what_there_is);

@@ -99,10 +99,12 @@ HttpResponse answer_x_ite(const HttpRequest& request, const StaticFiles& files, 
 }  // namespace
 
 Routes::Routes(const std::filesystem::path& city, std::shared_ptr<const StaticFiles> files,
-               std::shared_ptr<Metrics> metrics, std::shared_ptr<MadeTiles> tiles, TourDesk desk)
+               std::shared_ptr<Metrics> metrics, std::shared_ptr<MadeTiles> tiles, TourDesk desk,
+               std::shared_ptr<Parcels> parcels)
     : files_(std::move(files)),
       metrics_(std::move(metrics)),
       tiles_(std::move(tiles)),
+      parcels_(parcels ? std::move(parcels) : std::make_shared<Parcels>()),
       desk_(std::move(desk)),
       city_(city, [this] { metrics_->city_reopened(); }) {}
 
@@ -150,6 +152,7 @@ HttpResponse Routes::route(const HttpRequest& request) {
   const auto& city = city_.reader();
   if (path == "/city" || path.starts_with("/city.")) return with_route("city", answer_root(request, *url, city));
   if (path.starts_with("/sectors/")) return with_route("sector", answer_sector(request, city, path.substr(9)));
+  if (path == kParcels) return with_route("parcel", parcels_->answer(request, *url, city));
   if (path.starts_with("/blockmaps/")) return with_route("blockmap", answer_tile(request, path.substr(1)));
   if (path == std::string("/") + kFlyoverName) return with_route("city", answer_flyover(request, city));
   if (path == "/tours" || path == "/tours.x3d") return with_route("tours", answer_tours(request, *url, city, desk_));

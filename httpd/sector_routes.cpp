@@ -9,6 +9,7 @@
 #include "httpd/answers.hpp"
 #include "httpd/media_types.hpp"
 #include "httpd/negotiate.hpp"
+#include "httpd/parcels.hpp"
 #include "httpd/problem.hpp"
 #include "x3d_export/flyover_scene.hpp"
 #include "x3d_export/glb.hpp"
@@ -22,12 +23,6 @@ namespace {
 constexpr std::array<const char*, 5> kSuffixes = {".x3d", ".wrl", ".x3dj", ".glb", ".json"};
 
 constexpr int kMaxLevel = 3;  // rings of a static world: more is thousands of sectors in one scene
-
-bool is_id(const std::string& id) {
-  return !id.empty() && id.size() <= 200 && std::all_of(id.begin(), id.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
 
 /// Formats that few ask for are not stored: they are written from the records when somebody does.
 constexpr std::array kWritten = {SceneFormat::vrml, SceneFormat::x3dj};
@@ -122,7 +117,7 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
     parameter_of(url, name, repeated);
     if (repeated) return "Give the parameter " + name + " only once.";
     if (name == "start") {
-      if (!is_id(value)) return "start must be a sector id: letters, digits, '-' and '_'.";
+      if (!is_sector_id(value)) return "start must be a sector id: letters, digits, '-' and '_'.";
       options.start = value;
     } else if (name == "static") {
       if (value != "0" && value != "1") return "static must be 1 (all sectors loaded, no script) or 0.";
@@ -143,12 +138,19 @@ std::optional<std::string> read_root_query(const Url& url, RootOptions& options)
 
 }  // namespace
 
+bool is_sector_id(const std::string& id) {
+  return !id.empty() && id.size() <= 200 && std::all_of(id.begin(), id.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
 HttpResponse answer_flyover(const HttpRequest& request, const CityReader& city) {
   return answer_made(request, media_type_of(SceneFormat::x3d), write_x3d(flyover_scene(source_of(city))));
 }
 
 HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityReader& city) {
   RootOptions options;
+  options.parcels = kParcels;
   const auto format = format_of(request, url.path);
   if (!format) return not_acceptable("model/x3d+xml, model/vrml and model/x3d+json");
   if (*format == nullptr)
@@ -166,7 +168,7 @@ HttpResponse answer_root(const HttpRequest& request, const Url& url, const CityR
 HttpResponse answer_sector(const HttpRequest& request, const CityReader& city, const std::string& name) {
   const auto dot = std::min(name.find('.'), name.size());
   const auto id = name.substr(0, dot);
-  if (!is_id(id))
+  if (!is_sector_id(id))
     return problem(400, "'" + id +
                             "' is no sector id: ids have letters, digits, '-' and '_'. Ask "
                             "/collections/sectors/items for those there are.");

@@ -8,6 +8,9 @@
 /// /city.* (root worlds) and /sectors/*.
 namespace vicus {
 
+/// Letters, digits, '-' and '_', 200 at most: what can be the id of a sector.
+bool is_sector_id(const std::string& id);
+
 /// Needs   url.path is "/city" or begins with "/city.".
 /// /flyover.x3d: the city from above.
 HttpResponse answer_flyover(const HttpRequest& request, const CityReader& city);

@@ -21,6 +21,7 @@ struct RootOptions {
   std::string loader_test = "polygon";  ///< how it finds the visitor's sector: polygon, box or gate (§5.2)
   std::string base = "sectors/";
   std::string loader_url = "client/loader.js";
+  std::string parcels;  ///< path that gives many files at once; empty: nobody does
 };
 
 /// Browsers within web pages run a Script node's text by eval; the page of `vicus serve` does without the Script.

@@ -6,7 +6,10 @@ const kSlowFrame = 0.066, kFastFrame = 0.04;   // s
 const kHelps = 0.85;
 const kFutileSeconds = 120;         // until a smaller set is tried again after it did not help
 const kRestSeconds = 20;            // until a larger set is tried after a smaller one was needed
-const kEffectSeconds = 5;           // what was taken away needs so long to go
+const kEffectSeconds = 5;           // until the next step down
+const kGoneSeconds = 10;            // what is no longer wanted stays so long (SectorPlanner): only then frames tell of the smaller set
+/** A smaller set for the frames' sake is never less than what is seen from here: houses count more than frames. */
+const kLeastForFrames = 1;
 const kCalmSeconds = 1;             // all there for so long before a larger set is tried
 const kLongWait = 8;                // s a file may be on its way
 const kMemoryFull = 0.85, kMemoryRoom = 0.6, kShapeRoom = 0.7;   // shares of what there is
@@ -49,6 +52,7 @@ export class LevelChoice {
             this.tooMuch = { i: this.chosen, until: now + kFutileSeconds };
             return void this.lower(now, 'line');
         }
+        if (this.trial && now < this.trial.from) this.frames = [];
         if (this.frames.length >= kFrames && !this.judgeFrames(now)) return;
         this.calmSince = isSettled && waitSeconds < kLongWait ? this.calmSince ?? now : null;
         const hasRoom = nextShapes < kShapeRoom * shapeCap && memoryShare < kMemoryRoom;
@@ -85,8 +89,8 @@ export class LevelChoice {
                 this.change(this.trial.i, 'frames: a smaller set is no faster');
             }
             this.trial = null;
-        } else if (this.median > kSlowFrame && this.chosen > 0 && now >= this.futileUntil) {
-            const trial = { i: this.chosen, median: this.median };
+        } else if (this.median > kSlowFrame && this.chosen > kLeastForFrames && now >= this.futileUntil) {
+            const trial = { i: this.chosen, median: this.median, from: now + kGoneSeconds };
             if (this.lower(now, 'frames')) this.trial = trial;
         }
         return this.chosen === before;

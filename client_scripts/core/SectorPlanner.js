@@ -17,6 +17,8 @@ const kLoadsInFlight = 3;
 const kRetrySeconds = [1, 2, 4, 8, 16, 30];
 /** mm from a gate at which L_0 takes in what lies behind: a gate to nothing is shut. */
 const kThresholdMm = 12000;
+/** mm from a gate that he walks towards, at which L_1 takes in what is seen from behind it: else that is missing when he comes in. */
+const kAheadMm = 20000;
 /** s between two frames, above which the browser slept. */
 const kLongestFrame = 1;
 
@@ -31,19 +33,22 @@ const kLongestFrame = 1;
  * Frame   positions and records in plan metres, [east, north]; times in seconds, never decreasing.
  * Needs   every stem given to arrived() or failed() was returned in `load` before.
  * Cost    the set only when the sector, i or what is known changes; its order when something is missing.
- * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate; doors in use add L_i of both
- *         their sides.
+ * Differs L_0 holds the sector behind a gate too while the visitor stands near that gate; L_1 what is seen from behind a gate
+ *         that he walks to; doors in use add L_i of both their sides.
  */
 export class SectorPlanner {
     /**
      * `nearOnly`: the world has no far and tall files, near ones stand for them, and i is 1 at most. `level`: i to start
-     * with, `limit`: the largest, `fixedLevel`: no choice; `test`: of SectorFinder.
+     * with, `limit`: the largest, `fixedLevel`: no choice; `test`: of SectorFinder. `filesAtOnce`: how many one request can
+     * bring.
      */
     constructor(start, { keepSeconds = kKeepSeconds, shapeCap = kShapeCap, loadsInFlight = kLoadsInFlight, nearOnly = false,
-        level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
-        this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly };
+        filesAtOnce = 1, level = 1, limit = 2, fixedLevel = null, test = 'polygon', marginMm } = {}) {
+        this.options = { keepSeconds, shapeCap, loadsInFlight, nearOnly, filesAtOnce };
+        this.requests = 0;
+        this.wantedNow = new Map(); // stem -> { ring, level }, of the last plan
         this.sectors = new Map();   // id -> sector, ground null while only others have told of it
-        this.states = new Map();    // stem -> { phase: loading | live | failed, askedAt, wantedAt, failures, retryAt }
+        this.states = new Map();    // stem -> { phase: loading | live | failed, request: its number, askedAt, wantedAt, failures, retryAt }
         this.current = start;
         this.finder = new SectorFinder(test, { marginMm });
         this.choice = new LevelChoice({ start: level, limit: nearOnly ? Math.min(limit, 1) : limit, fixed: fixedLevel });
@@ -105,17 +110,17 @@ export class SectorPlanner {
     }
 
     /**
-     * -> { current, changed, level, load: at most one stem, unload: stems, wakeAt }. `position` may be null: not known
+     * -> { current, changed, level, load: stems, at most filesAtOnce, unload: stems, wakeAt }. `position` may be null: not known
      * yet. `heading`: radians clockwise from north; `isJump`: the visitor was put there; `waitSeconds`, `memoryShare`: of
      * LevelChoice, where the owner knows better.
      * Nothing changes before `wakeAt` (s, Infinity: never) unless the visitor moves or a file arrives or fails.
      */
-    plan(position, now, { heading = null, isJump = false, waitSeconds = 0, memoryShare = 0 } = {}) {
+    plan(position, now, { heading = null, isJump = false, waitSeconds = null, memoryShare = 0 } = {}) {
         const before = this.current, point = position && latticePoint(position), { i } = this;
         if (isJump) this.finder.jump();
         if (point) this.current = this.finder.find(this.sectors, this.current, point);
         this.observe(point, now);
-        const wanted = this.wanted(point);
+        const wanted = this.wantedNow = this.wanted(point);
         for (const [stem, { wantedAt }] of this.states) if (wanted.has(stem) && wantedAt < now) this.states.get(stem).wantedAt = now;
         const unload = this.unloads(wanted, now), load = this.nextLoad(wanted, now, point, heading);
         this.chooseLevel(wanted, now, waitSeconds, memoryShare);
@@ -141,7 +146,7 @@ export class SectorPlanner {
             if (!state || state.phase === 'loading') isSettled &&= this.isServedFiner(stem, now);
         }
         const shapes = this.liveShapes(), more = sectorsWithin(this.sectors, current, before + 1).size - wanted.size;
-        this.choice.judge({ now, isSettled, waitSeconds: Math.max(waitSeconds, now - oldest), shapes, memoryShare,
+        this.choice.judge({ now, isSettled, waitSeconds: waitSeconds ?? now - oldest, shapes, memoryShare,
             nextShapes: shapes + Math.max(0, more) * kMergedShapes, shapeCap: this.options.shapeCap });
     }
 
@@ -163,7 +168,7 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current);
         if (!current) return new Map();
         if (!point) return new Map([[stemOf(current.id, 'near'), { ring: 0, level: 'near' }]]);
-        const set = new Map(this.setAround(current));
+        const set = new Map(this.setAround(current, this.behindGatesAhead(current, point)));
         const addNear = sector => { set.set(sector.id, { ring: 1, level: 'near' }); };
         if (this.i === 0)
             for (const sector of (current.gates ?? []).map(gate => this.sectors.get(gate.to)).filter(Boolean))
@@ -174,10 +179,27 @@ export class SectorPlanner {
         return new Map([...set].map(([id, { ring, level }]) => [stemOf(id, nearOnly ? 'near' : level), { ring, level }]));
     }
 
-    setAround(current) {
-        const key = [current.id, this.i, this.known, ...this.beyondDoors].join(' ');
-        if (this.set?.key !== key) this.set = { key, sectors: this.setWithDoors(current) };
+    setAround(current, ahead) {
+        const key = [current.id, this.i, this.known, ...this.beyondDoors, '>', ...ahead].join(' ');
+        if (this.set?.key !== key) this.set = { key, sectors: this.withWhatIsAhead(this.setWithDoors(current), ahead) };
         return this.set.sectors;
+    }
+
+    /** Ids of sectors that he comes to soon; with i = 2 all that they see is there anyway. */
+    behindGatesAhead(current, point) {
+        const { walk } = this.last;
+        if (this.i !== 1 || !walk || this.options.nearOnly) return [];
+        const isAhead = ({ line: [[x, y]] }) => (x - point[0]) * walk[0] + (y - point[1]) * walk[1] > 0;
+        const near = (current.gates ?? []).filter(gate => gate.to && isAhead(gate) && gateDistance(current, { id: gate.to }, point) < kAheadMm);
+        return [...new Set(near.map(({ to }) => to))].filter(id => this.sectors.get(id)?.ground);
+    }
+
+    /** What those see, after all that is seen from here, and far: it is near when he is there. */
+    withWhatIsAhead(set, ahead) {
+        for (const id of ahead)
+            for (const [other, { level }] of sectorsWithin(this.sectors, this.sectors.get(id), 1))
+                if (!set.has(other)) set.set(other, { ring: 2, level: level === 'near' ? 'far' : level });
+        return set;
     }
 
     /** L_i, and L_i of what is behind doors in use: these first, because somebody waits for them. */
@@ -232,20 +254,34 @@ export class SectorPlanner {
         });
     }
 
+    /** One request: the file of the sector he is in alone, others as many together as the owner can ask for at once. */
     nextLoad(wanted, now, point, heading) {
-        let inFlight = 0;
-        for (const { phase } of this.states.values()) if (phase === 'loading') ++inFlight;
-        if (inFlight >= this.options.loadsInFlight) return [];
-        const isFull = this.excessShapes(wanted) > 0;
+        const { loadsInFlight, filesAtOnce, shapeCap } = this.options, loading = [...this.states].filter(([, { phase }]) => phase === 'loading');
+        if (new Set(loading.map(([, { request }]) => request)).size >= loadsInFlight) return [];
+        const isFull = this.excessShapes(wanted) > 0, load = [];
+        let outermost = this.outermostRing(loading.map(([stem]) => stem), wanted);
+        ++this.requests;
         for (const { stem } of this.missing(wanted, now, point, heading)) {
-            const state = this.states.get(stem);
+            const state = this.states.get(stem), isHere = stem === this.current;
+            if (load.length >= filesAtOnce || wanted.get(stem).ring > outermost) break;
             if (!state && !isFull && this.isServedFiner(stem, now)) continue;
-            const fits = this.liveShapes() + this.shapesOf(stem) <= this.options.shapeCap;
-            if (!state && !fits && stem !== this.current && !this.isCoarser(stem)) return [];
-            this.states.set(stem, { phase: 'loading', askedAt: now, wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
-            return [stem];
+            const fits = this.liveShapes() + this.shapesOf(stem) <= shapeCap;
+            if (!state && !fits && !isHere && !this.isCoarser(stem)) break;
+            this.states.set(stem, { phase: 'loading', request: this.requests, askedAt: now, wantedAt: now, failures: state?.failures ?? 0, retryAt: 0 });
+            load.push(stem);
+            if (isHere) break;
+            if (load.length === 1) outermost = Math.min(outermost, this.outermostRing(load, wanted));
         }
-        return [];
+        return load;
+    }
+
+    /**
+     * Files of a ring tell what there is in the next: where many come by one request, the next ring waits for them, so that it
+     * takes one request, too.
+     */
+    outermostRing(loading, wanted) {
+        if (this.options.filesAtOnce === 1) return Infinity;
+        return Math.max(1, Math.min(...loading.map(stem => wanted.get(stem)?.ring ?? Infinity)));
     }
 
     /** What is wanted and neither there nor on its way, the most urgent first. */
@@ -258,6 +294,12 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current), view = heading === null ? null : [Math.sin(heading), Math.cos(heading)];
         const visitor = { point, view, walk: this.last.walk };
         return missing.map(([stem, place]) => loadEntry(stem, place, current, this.sectors.get(idOf(stem)), visitor)).sort(compareLoads);
+    }
+
+    /** < 0: the file of stem `a` is needed before that of `b`, as the last plan wants them; 0: alike. */
+    compareNeed(a, b) {
+        const [first, second] = [a, b].map(stem => this.wantedNow.get(stem) ?? { ring: Infinity, level: levelOf(stem) });
+        return first.ring === second.ring ? urgencyOf(first.level) - urgencyOf(second.level) : first.ring - second.ring;
     }
 
     /** Would the file replace one with more Shapes? */

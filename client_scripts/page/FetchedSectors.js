@@ -1,65 +1,93 @@
+import { urgencyOf } from '../core/loadOrder.js';
 import { levelOf } from '../core/sectorRecord.js';
+import { SectorTexts } from './SectorTexts.js';
 
 /** Bytes a file has until one of its level has come: medians of two cities, as sent. */
 const kTypicalBytes = { near: 13000, far: 3500, tall: 2500 };
+/** s from one file put into the world to the next; a longer frame takes as many more, or a slow machine never catches up. */
+const kInsertSeconds = 1 / 30, kMostInserted = 4;
+/** Files read at a time: while images of one are on their way another goes on. */
+const kMostRead = 3;
 /** The share of a mean that a new value has. */
 const kNew = 0.2;
 
 /**
- * Shows and hides sectors' files for the page: fetches them, so that a request can be given up and its bytes counted, and
- * puts at most one into the world per frame. The Script's counterpart is x3d/InlineSectors.
+ * Shows and hides sectors' files for the page: fetches them, so that a request can be given up and its bytes counted, reads
+ * a few at a time, and puts at most one into the world per frame, thirty a second where frames are slow. The Script's counterpart is x3d/InlineSectors.
  *
- * Needs   `stage` (XIteAdapter): place(origin), makeScene(text), fill(place, scene), empty(place), recordOf(scene),
+ * Needs   `stage` (XIteAdapter): place(origin), makeScene(text, parts, signal), fill(place, scene), empty(place), recordOf(scene),
  * setImpostor(scene, gateId, opacity), setDoor(scene, doorId, look), touchTime(scene, doorId).
  */
 export class FetchedSectors {
-    constructor(stage, base, { request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
-        Object.assign(this, { stage, base, request, clock, files: new Map(), ready: [], made: [] });
+    /** `parcels`: of SectorTexts. `compareNeed(a, b)`, of stems: SectorPlanner's, set by whoever has one. */
+    constructor(stage, base, { parcels = null, request = (url, options) => fetch(url, options), clock = () => performance.now() / 1000 } = {}) {
+        const told = (bytes, seconds) => this.countSpeed(bytes / Math.max(0.001, seconds));
+        const texts = new SectorTexts(base, { parcels, request, clock, told });
+        Object.assign(this, { stage, base, texts, clock, files: new Map(), ready: [], made: [], reading: 0 });
         this.means = { ...kTypicalBytes };
         this.loaded = { bytes: 0, files: 0 };
         this.bytesPerSecond = null;
+        this.compareNeed = (a, b) => urgencyOf(levelOf(a)) - urgencyOf(levelOf(b));
+        this.frameAt = clock();
     }
 
     show(stem, origin) {
         const file = this.files.get(stem) ?? { stem, place: this.stage.place(origin), record: null };
-        Object.assign(file, { phase: 'loading', abort: new AbortController(), askedAt: this.clock(), bytes: null, scene: null });
+        Object.assign(file, { phase: 'loading', hasCome: false, abort: new AbortController(), askedAt: this.clock(), bytes: null, scene: null });
         this.files.set(stem, file);
-        this.fetch(file, file.abort).catch(error => {
-            if (!file.abort.signal.aborted) Object.assign(file, { phase: 'failed', error });
-        });
+        this.fetch(file, file.abort).catch(error => fail(file, file.abort, error));
     }
 
     async fetch(file, abort) {
-        const priority = levelOf(file.stem) === 'near' ? 'high' : 'low';
-        const response = await this.request(`${this.base}${file.stem}.x3d`, { signal: abort.signal, priority });
-        if (!response.ok) throw new Error(`${file.stem}.x3d: ${response.status}`);
-        file.bytes = Number(response.headers.get('Content-Length')) || null;
-        const text = await response.text();
+        const sized = bytes => { file.bytes = bytes; };
+        const { text, parts, bytes } = await this.texts.get(file.stem, { signal: abort.signal, sized });
         if (abort.signal.aborted) return;
-        this.count(file, file.bytes ?? text.length, secondsOnLine(response.url) ?? this.clock() - file.askedAt);
-        this.ready.push({ file, text, abort });
+        this.count(file, bytes);
+        this.ready.push({ file, text, parts, abort });
     }
 
-    count(file, bytes, seconds) {
-        const level = levelOf(file.stem), speed = bytes / Math.max(0.001, seconds);
-        file.bytes = bytes;
+    count(file, bytes) {
+        const level = levelOf(file.stem);
+        Object.assign(file, { bytes, hasCome: true });
+        if (!bytes) return;
         this.loaded.bytes += bytes;
         ++this.loaded.files;
         this.means[level] += kNew * (bytes - this.means[level]);
+    }
+
+    countSpeed(speed) {
         this.bytesPerSecond = this.bytesPerSecond === null ? speed : this.bytesPerSecond + kNew * (speed - this.bytesPerSecond);
     }
 
-    /** Once a frame: puts at most one file into the world, and begins to read at most one that has come. */
+    /** Once a frame, after all that is asked for in it. */
+    send() {
+        this.texts.send();
+    }
+
+    /** Once a frame: puts what has been made into the world. */
     frame() {
-        const made = this.made.shift();
-        if (made && !made.abort.signal.aborted) this.insert(made);
-        const next = this.ready.find(({ abort }) => !abort.signal.aborted);
-        this.ready = next ? this.ready.slice(this.ready.indexOf(next) + 1) : [];
+        const now = this.clock(), most = Math.min(kMostInserted, Math.floor((now - this.frameAt) / kInsertSeconds));
+        this.frameAt = now;
+        this.made = this.made.filter(({ abort }) => !abort.signal.aborted);
+        for (const made of this.made.splice(0, Math.max(1, most))) this.insert(made);
+        this.readNext();
+    }
+
+    /** What is needed most first. */
+    readNext() {
+        if (this.reading >= kMostRead) return;
+        this.ready = this.ready.filter(({ abort }) => !abort.signal.aborted).sort((a, b) => this.compareNeed(a.file.stem, b.file.stem));
+        const next = this.ready.shift();
         if (!next) return;
-        const { file, text, abort } = next;
-        this.stage.makeScene(text).then(scene => { this.made.push({ file, scene, abort }); }).catch(error => {
-            if (!abort.signal.aborted) Object.assign(file, { phase: 'failed', error });
-        });
+        const { file, text, parts, abort } = next;
+        ++this.reading;
+        this.stage.makeScene(text, parts, abort.signal)
+            .then(scene => { this.made.push({ file, scene, abort }); }, error => fail(file, abort, error))
+            .finally(() => {
+                --this.reading;
+                this.readNext();
+            });
+        this.readNext();
     }
 
     insert({ file, scene }) {
@@ -114,16 +142,20 @@ export class FetchedSectors {
         return [...this.files.values()].filter(({ stem, phase }) => phase === 'live' && levelOf(stem) === level);
     }
 
-    /** Of what is on its way, as far as it is known. */
-    get bytesInFlight() {
-        let bytes = 0;
-        for (const { stem, phase, bytes: own } of this.files.values()) if (phase === 'loading') bytes += own ?? this.means[levelOf(stem)];
-        return bytes;
+    /** Files on the line: what has come and waits to be put into the world is none of them. */
+    onTheWay() {
+        return [...this.files.values()].filter(({ phase, hasCome }) => phase === 'loading' && !hasCome);
     }
 
-    /** s until what is on its way has come, at the speed measured; 0 while nothing has come. */
+    /** Of what is on its way, as far as it is known. */
+    get bytesInFlight() {
+        return this.onTheWay().reduce((sum, { stem, bytes }) => sum + (bytes ?? this.means[levelOf(stem)]), 0);
+    }
+
+    /** s that the line takes: until what is on its way has come, at the speed measured; what it has taken already. */
     get waitSeconds() {
-        return this.bytesPerSecond ? this.bytesInFlight / this.bytesPerSecond : 0;
+        const oldest = Math.min(...this.onTheWay().map(({ askedAt }) => askedAt)), now = this.clock();
+        return Math.max(now - Math.min(oldest, now), this.bytesPerSecond ? this.bytesInFlight / this.bytesPerSecond : 0);
     }
 
     /** { bytes there, of all that are wanted: bytes, files there, files }; `missing`: stems not yet asked for. */
@@ -137,8 +169,6 @@ export class FetchedSectors {
     }
 }
 
-/** How long the request took, without what the page did meanwhile; undefined: the browser does not tell. */
-function secondsOnLine(url) {
-    const entry = url ? performance.getEntriesByName(url, 'resource').at(-1) : null;
-    return entry ? entry.duration / 1000 : undefined;
+function fail(file, abort, error) {
+    if (!abort.signal.aborted) Object.assign(file, { phase: 'failed', error });
 }

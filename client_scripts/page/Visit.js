@@ -4,19 +4,20 @@ import { FetchedSectors } from './FetchedSectors.js';
 
 /** How much is asked for at a time, and how far around, by how fast the line is. */
 export const kLines = {
-    auto: { loadsInFlight: 3, limit: 2 },
-    slow: { loadsInFlight: 1, limit: 1 },
-    fast: { loadsInFlight: 6, limit: 3 },
+    auto: { loadsInFlight: 3, filesAtOnce: 48, limit: 2 },
+    slow: { loadsInFlight: 1, filesAtOnce: 16, limit: 1 },
+    fast: { loadsInFlight: 6, filesAtOnce: 64, limit: 3 },
 };
 
 /** Where the visitor is and what is there: the loader of core/, the files of the page. */
 export class Visit {
     /** `world`: of fetchRootWorld; `settings`: { level: null or i, line, test }. */
     constructor(stage, world, settings, complain) {
-        const { loadsInFlight, limit } = kLines[settings.line];
-        this.files = new FetchedSectors(stage, world.base);
+        const { parcels } = world, { loadsInFlight, filesAtOnce, limit } = lineOf(settings.line, parcels);
+        this.files = new FetchedSectors(stage, world.base, { parcels });
         this.loader = new SectorLoader(world.start, this.files, {
-            complain, loadsInFlight, limit, fixedLevel: settings.level, level: settings.startLevel ?? 1, test: settings.test });
+            complain, loadsInFlight, filesAtOnce, limit, fixedLevel: settings.level, level: settings.startLevel ?? 1, test: settings.test });
+        this.files.compareNeed = (a, b) => this.planner.compareNeed(a, b);
         const { start: id, origin: [east, north] } = world;
         this.planner.addNeighbour({ id, origin: world.origin, box: [east - 1, north - 1, east + 1, north + 1] });
         Object.assign(this, { current: world.start, level: this.planner.i, isJump: false, firstStreetAt: 0, failed: new Set() });
@@ -55,11 +56,12 @@ export class Visit {
 
     /** One frame: what is asked for, given up, put into the world. */
     step(pose, now) {
+        this.files.frame();   // first: the planner hears of it in the same frame
         const { waitSeconds } = this.files;
         const plan = this.loader.step(pose && [pose.east, pose.north], now, {
             heading: pose?.heading ?? null, isJump: this.isJump, waitSeconds, memoryShare: memoryShare() });
         Object.assign(this, { current: plan.current, level: plan.level, isJump: false });
-        this.files.frame();
+        this.files.send();
         this.sectors = this.files.list();
         if (!this.firstStreetAt && this.here) this.firstStreetAt = performance.now();
         const isFailed = ({ stem, phase }) => phase === 'failed' || (phase === 'loading' && this.failed.has(stem));
@@ -84,11 +86,16 @@ export class Visit {
 
     /** Applies settings that may change on the way. */
     set({ level, line, test }) {
-        const { loadsInFlight, limit } = kLines[line];
+        const { loadsInFlight, filesAtOnce, limit } = lineOf(line, this.files.texts.parcels);
         if (test !== this.planner.finder.test) this.planner.finder = new SectorFinder(test);
-        this.planner.options.loadsInFlight = loadsInFlight;
+        Object.assign(this.planner.options, { loadsInFlight, filesAtOnce });
         this.planner.choice.set(level, limit);
     }
+}
+
+/** A site without a server gives one file by each request. */
+function lineOf(name, parcels) {
+    return parcels ? kLines[name] : { ...kLines[name], filesAtOnce: 1 };
 }
 
 /** Of what the browser allows its scripts; 0 where it does not tell. */

@@ -1,6 +1,6 @@
 import { paintDoor } from '../core/Doors.js';
-import { recordFromMetadata } from '../core/recordMetadata.js';
 import { levelOf } from '../core/sectorRecord.js';
+import { groundOfElements, recordOfElements } from './sectorElements.js';
 
 /**
  * Shows and hides sectors' files in X3DOM: Transform (the sector's origin) > Inline, as elements of the page's document,
@@ -31,9 +31,8 @@ export class X3domSectors {
     arrive(file) {
         if (file.phase !== 'loading') return;
         file.phase = 'live';
-        const metadata = file.inline.querySelector('[DEF="RECORD"]');
-        if (metadata) file.record = recordFromMetadata(metadataTree(metadata));
-        if (levelOf(file.stem) === 'near') file.surface = surfaceOf(file.inline, file.record?.origin);
+        file.record = recordOfElements(file.inline);
+        if (levelOf(file.stem) === 'near') file.surface = groundOfElements(file.inline, file.record?.origin);
         for (const touch of file.inline.querySelectorAll('[DEF^="DOOR-TOUCH-"]'))
             touch.parentNode.onclick = () => file.touched.set(touch.getAttribute('DEF'), performance.now() / 1000);
     }
@@ -93,29 +92,4 @@ function writer(node) {
         target.setAttribute(field, String(value));
         return true;
     } });
-}
-
-/** Metadata elements -> { name, value } as recordFromMetadata reads them. */
-function metadataTree(node) {
-    const name = node.getAttribute('name'), text = node.getAttribute('value') ?? '';
-    if (node.localName.toLowerCase() === 'metadataset') return { name, value: [...node.children].map(metadataTree) };
-    const isText = node.localName.toLowerCase() === 'metadatastring';
-    return { name, value: isText ? quotedTexts(text) : text.trim().split(/[\s,]+/).map(Number) };
-}
-
-/** MFString as XML has it: quoted texts, a backslash before quotation marks and backslashes inside. */
-export function quotedTexts(text) {
-    return [...text.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, inner]) => inner.replace(/\\(.)/g, '$1'));
-}
-
-/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
-function surfaceOf(inline, origin) {
-    const geometry = inline.querySelector('[DEF="GROUND"] > IndexedFaceSet, [DEF="GROUND"] > indexedfaceset');
-    const numbers = (node, name) => (node?.getAttribute(name) ?? '').trim().split(/[\s,]+/).map(Number);
-    const coordinates = numbers(geometry?.querySelector('Coordinate, coordinate'), 'point');
-    if (!origin || coordinates.length < 9) return null;
-    const points = [];
-    for (let i = 0; i + 2 < coordinates.length; i += 3)
-        points.push([1000 * (origin[0] + coordinates[i]), 1000 * (origin[1] - coordinates[i + 2]), 1000 * coordinates[i + 1]]);
-    return { points, triangles: numbers(geometry, 'coordIndex').filter(index => index >= 0) };
 }

@@ -2,7 +2,8 @@
  * The root world for the page: what /city.x3d draws, without its Script. The page loads sectors itself, by the same
  * core: a Script node would need 'unsafe-eval', and could not give up a request or count its bytes.
  *
- * { text, start, origin: [east, north] of the start, base: URL of sectors, name, rights, degrees: [lat, lon] or null }.
+ * { text, start, origin: [east, north] of the start, base: URL of sectors, parcels: URL of SectorTexts' parcels or null, name,
+ * rights, degrees: [lat, lon] or null }.
  * Fails   Error with what the server says, or that it does not answer.
  */
 export async function fetchRootWorld(url) {
@@ -20,6 +21,7 @@ export function rootWorldFrom(xml, pageUrl) {
     const degrees = (meta('origin')[0] ?? '').split(' ').map(Number);
     const world = {
         start, origin: [place[0], -place[2]], base: new URL(field('base') || 'sectors/', pageUrl).href,
+        parcels: meta('parcels')[0] ? new URL(meta('parcels')[0], pageUrl).href : null,
         name: meta('subject')[0] ?? '', rights: meta('rights').join(', '),
         degrees: degrees.length === 2 && degrees.every(Number.isFinite) ? degrees : null,
     };

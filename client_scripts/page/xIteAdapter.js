@@ -1,8 +1,11 @@
 import { paintDoor } from '../core/Doors.js';
 import { fadeImpostor } from '../core/GateImpostors.js';
-import { recordFromMetadata } from '../core/recordMetadata.js';
 import { steadyLevel } from '../core/steadyLevel.js';
 import { axisAngle } from './axisAngle.js';
+import { calmGl } from './calmGl.js';
+import { buildQuickly } from './quickFaces.js';
+import { groundOfElements, recordOfElements } from './sectorElements.js';
+import { readScene } from './slicedScene.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 /** m: radius (twice the near plane), eye, step. */
@@ -11,11 +14,22 @@ const kPictures = {
     open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })),
     close: address => URL.revokeObjectURL(address),
 };
+const kWhite = 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+const kSpeck = `<IndexedFaceSet coordIndex='0 1 2 -1 0 1 2 -1'><Coordinate point='0 0 0 1e-4 0 0 0 1e-4 0'/></IndexedFaceSet>`;
+/** As sector files have them: plain, with a colour for each face, under an image. */
+const kSpecks = `<X3D profile='Interchange' version='4.0'><Scene><Transform>
+    <Shape><Appearance><Material/></Appearance>${kSpeck}</Shape>
+    <Shape><Appearance><Material/></Appearance>${kSpeck.replace('><C', ` colorPerVertex='false' colorIndex='0 1'><Color color='1 1 1 0 0 0'/><C`)}</Shape>
+    <Shape><Appearance><Material/><ImageTexture url='"${kWhite}"'/></Appearance>${kSpeck}</Shape>
+</Transform></Scene></X3D>`;
+/** ms after a sector went: by then a frame without it has been drawn. */
+const kLetGoMs = 1000;
 const kTypesToSwallow = ['mousedown', 'mousewheel', 'wheel', 'touchstart', 'dblclick', 'contextmenu', 'keydown'];
 
 /**
  * Everything the page asks of X_ITE beyond the X3D standard. Written for X_ITE 15.0.1: the user's offsets
- * (getUserPosition, ...) and the load states are that version's own.
+ * (getUserPosition, ...) and the load states are that version's own; so is what slicedScene.js, calmGl.js and
+ * quickFaces.js do.
  *
  * Frame   poses: { east, north, up } in plan metres of the eye, heading and pitch in radians, heading clockwise from
  *         north, pitch up. The root world's axes are x = east, y = up, z = -north.
@@ -30,6 +44,9 @@ export class XIteAdapter {
         canvas.tabIndex = -1;   // the window around it has the focus and the keys
         const view = new XIteAdapter(X3D, canvas);
         withoutTangents(view.browser.currentScene);
+        const prototypeOf = type => Object.getPrototypeOf(view.browser.currentScene.createNode(type).getValue());
+        calmGl(view.browser, prototypeOf('ImageTexture'));
+        buildQuickly(prototypeOf('IndexedFaceSet'));
         return view;
     }
 
@@ -37,6 +54,7 @@ export class XIteAdapter {
         this.X3D = X3D;
         this.canvas = canvas;
         this.browser = canvas.browser;
+        this.records = new WeakMap();   // scene -> its record
     }
 
     /**
@@ -51,6 +69,19 @@ export class XIteAdapter {
         steadyLevels(this.browser.currentScene);
         const navigation = this.browser.activeNavigationInfo;
         if (navigation) navigation.type = new this.X3D.MFString('NONE');
+        await this.warmShaders();
+    }
+
+    /**
+     * Draws a speck of each kind of Shape while the first files are on their way: a shader is made when the first Shape needs it,
+     * and the frame waits for that. fill() takes the specks away.
+     */
+    async warmShaders() {
+        const { SFVec3f } = this.X3D, { east, north, up, heading } = this.pose();
+        const specks = (await this.browser.createX3DFromString(kSpecks)).rootNodes[0];
+        specks.translation = new SFVec3f(east + 2 * Math.sin(heading), up, -north - 2 * Math.cos(heading));
+        this.browser.currentScene.rootNodes.push(specks);
+        this.specks = specks;
     }
 
     /** A place for a sector's file in the world: Transform (the sector's origin) > Inline that fetches nothing itself. */
@@ -64,12 +95,28 @@ export class XIteAdapter {
         return { transform, inline };
     }
 
-    /** The scene that a sector's file describes, its textures and parts loaded. Fails   Error: it cannot be read. */
-    makeScene(text) {
-        return this.browser.createX3DFromString(text);
+    /**
+     * The scene that a sector's file describes, its images loaded; `parts`: [name, text] of those of its Inlines that are at hand.
+     * Made between frames, slice by slice. Fails   Error: it cannot be read, or `signal` gave it up.
+     */
+    async makeScene(text, parts = [], signal = null) {
+        const document = parsed(text), names = new Set(parts.map(([name]) => name));
+        for (const inline of document.querySelectorAll('Inline')) if (names.has(nameOf(inline))) inline.setAttribute('load', 'false');
+        const scene = await readScene(this, document, { signal }), scenes = [scene];
+        this.records.set(scene, recordIn(document));
+        const inlines = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Inline');
+        for (const [name, part] of parts) {
+            scenes.push(await readScene(this, parsed(part), { signal }));
+            inlines.find(({ url }) => url[0] === name).getValue().setInternalScene(scenes.at(-1));
+        }
+        await Promise.all(scenes.map(allLoaded));
+        return scene;
     }
 
     fill({ inline }, scene) {
+        const { currentScene } = this.browser;
+        if (this.specks) currentScene.rootNodes = new this.X3D.MFNode(...Array.from(currentScene.rootNodes).filter(node => node !== this.specks));
+        this.specks = null;
         inline.getValue().setInternalScene(scene);
     }
 
@@ -77,17 +124,24 @@ export class XIteAdapter {
         inline.getValue().requestUnload();
         const world = this.browser.currentScene.getNamedNode('WORLD');
         world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => node !== transform));
+        this.letting ??= setTimeout(() => {
+            this.letting = null;
+            this.letGo();
+        }, kLetGoMs);
     }
 
-    /** The record in a sector's scene, or null. */
-    recordOf(scene) {
-        try {
-            const record = recordFromMetadata(scene.getNamedNode('RECORD'));
-            record.surface = surfaceOf(scene, record.origin);
-            return record;
-        } catch {
-            return null;
+    /** X_ITE keeps a place for each Shape that it ever drew at a time, and in it the last Shape, whose whole scene then stays. */
+    letGo() {
+        const { layer0: layer } = this.browser.getWorld();
+        for (const kind of ['opaque', 'transparent', 'pointing', 'collision']) {
+            const places = layer[`${kind}Shapes`], used = layer[`num${kind[0].toUpperCase()}${kind.slice(1)}Shapes`];
+            if (places?.length > used) places.length = used;
         }
+    }
+
+    /** The record in a sector's scene, with the triangles of its ground as `surface`; or null. */
+    recordOf(scene) {
+        return this.records.get(scene);
     }
 
     /** How much the picture in a gate shows, 0 ... 1. */
@@ -195,15 +249,29 @@ export class XIteAdapter {
     }
 }
 
-/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
-function surfaceOf(scene, [east, north]) {
+function parsed(text) {
+    return new DOMParser().parseFromString(text, 'application/xml');
+}
+
+/** What an Inline names first. */
+function nameOf(inline) {
+    return inline.getAttribute('url')?.match(/"([^"]*)"/)?.[1];
+}
+
+function recordIn(document) {
     try {
-        const { coord, coordIndex } = scene.getNamedNode('GROUND').geometry;
-        const points = Array.from(coord.point, p => [1000 * (east + p.x), 1000 * (north - p.z), 1000 * p.y]);
-        return { points, triangles: Array.from(coordIndex).filter(index => index >= 0) };
+        const record = recordOfElements(document);
+        return record && Object.assign(record, { surface: groundOfElements(document, record.origin) });
     } catch {
-        return null;   // a sector without ground of its own
+        return null;   // SectorLoader says of which file
     }
+}
+
+const kLookAgainMs = 20;
+
+/** Its images have come, or could not be had. */
+async function allLoaded(scene) {
+    while (scene._loadCount.getValue() > 0) await new Promise(resolve => setTimeout(resolve, kLookAgainMs));
 }
 
 function clampUnit(value) {

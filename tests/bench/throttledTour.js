@@ -8,7 +8,7 @@
  *
  * A walk takes METRES / SPEED seconds; nothing is accelerated. Looked at in every frame: is a
  * file there (near, far or tall) of each sector that L_vis of the visitor's sector names; of each of those that it does not see over roofs
- * alone; of each that a gate leads to; and if not, does a picture stand in that gate.
+ * alone; of each that a gate leads to; and if not, does a picture stand in that gate; and of each of L_i, whatever i is then.
  * `soak` walks on and on and tells the page's heap after each km, garbage collected before.
  */
 import { openBrowser, openTab } from '../browser/support/chromium.js';
@@ -54,8 +54,13 @@ async function openPage(browser, start, mbit) {
 /* Runs in the page: walks `metres` along the points at `speed` from where it stopped before. */
 async function walkAlong({ points, speed, metres }) {
     const { view, visit } = window.vicus, { planner, impostors } = visit.loader;
-    const seen = { seconds: 0, missing: 0, streetMissing: 0, gateMissing: 0, gateBare: 0, frames: 0, shapes: 0, longest: 0 };
-    const observer = new PerformanceObserver(list => { for (const { duration } of list.getEntries()) seen.longest = Math.max(seen.longest, duration); });
+    const seen = { seconds: 0, ofLevel: 0, levels: [0, 0, 0, 0], blocks: 0, missing: 0, streetMissing: 0, gateMissing: 0, gateBare: 0, frames: 0, shapes: 0, longest: 0 };
+    const observer = new PerformanceObserver(list => {
+        for (const { duration } of list.getEntries()) {
+            seen.longest = Math.max(seen.longest, duration);
+            ++seen.blocks;
+        }
+    });
     observer.observe({ entryTypes: ['longtask'] });
     const walked = window.tourAt ?? { leg: 1, along: 0 };
     let left = metres, last = performance.now();
@@ -70,6 +75,9 @@ async function walkAlong({ points, speed, metres }) {
         seen.seconds += seconds;
         ++seen.frames;
         const missing = here?.ground ? here.visible.filter(id => !has(id)) : [planner.current], overRoofs = new Set(here?.overRoofs);
+        seen.levels[planner.i] += seconds;
+        const wanted = planner.wanted([1000 * view.pose().east, 1000 * view.pose().north]);
+        if ([...wanted.keys()].some(stem => !has(stem.split('.')[0]))) seen.ofLevel += seconds;
         if (missing.length) seen.missing += seconds;
         if (missing.some(id => !overRoofs.has(id))) seen.streetMissing += seconds;
         if (gates.length) seen.gateMissing += seconds;
@@ -95,20 +103,23 @@ async function walkAlong({ points, speed, metres }) {
 }
 
 const percent = (part, all) => `${(100 * part / all).toFixed(part && part / all < 0.1 ? 2 : 1)} %`;
+/** Which i, and how much of the time. */
+const levelsOf = ({ levels, seconds }) => (process.env.I ? `${process.env.I}, held` : levels
+    .map((time, i) => `${i} (${Math.round(100 * time / seconds)} %)`).filter((_, i) => levels[i] > 0).join(', '));
 const sum = map => [...map.values()].reduce((all, bytes) => all + bytes, 0);
 
 async function tours(metres, cases) {
     const { start, points } = await routeOf(metres);
-    console.log('| walk | line | a sector of L_vis is missing | one seen along streets | one behind a gate is missing | and no picture there | longest block | frames/s | kB | requests | live Shapes |');
-    console.log('|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
+    console.log('| walk | line | i | a sector of L_i is missing | a sector of L_vis is missing | one seen along streets | one behind a gate is missing | and no picture there | longest block | blocks over 50 ms | frames/s | kB | requests | live Shapes |');
+    console.log('|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
     for (const [speed, mbit] of cases) {
         const browser = await openBrowser(kWindow);
         try {
             const { tab } = await openPage(browser, start, mbit);
             const before = { bytes: sum(tab.bytes), requests: tab.requests.length };
             const got = await tab.page.evaluate(walkAlong, { points, speed, metres });
-            console.log(`| ${Math.round(got.walked)} m at ${speed} m/s | ${mbit} Mb/s | ${percent(got.missing, got.seconds)} | ${percent(got.streetMissing, got.seconds)} | ${percent(got.gateMissing, got.seconds)} | `
-                + `${percent(got.gateBare, got.seconds)} | ${Math.round(got.longest)} ms | ${(got.frames / got.seconds).toFixed(1)} | `
+            console.log(`| ${Math.round(got.walked)} m at ${speed} m/s | ${mbit} Mb/s | ${levelsOf(got)} | ${percent(got.ofLevel, got.seconds)} | ${percent(got.missing, got.seconds)} | ${percent(got.streetMissing, got.seconds)} | ${percent(got.gateMissing, got.seconds)} | `
+                + `${percent(got.gateBare, got.seconds)} | ${Math.round(got.longest)} ms | ${got.blocks} | ${(got.frames / got.seconds).toFixed(1)} | `
                 + `${Math.round((sum(tab.bytes) - before.bytes) / 1000)} | ${tab.requests.length - before.requests} | ${got.shapes} |`);
         } finally {
             await browser.close();
@@ -121,15 +132,22 @@ async function soak(km, speed) {
     try {
         const { tab, devtools } = await openPage(browser, start, 0);
         await devtools.send('HeapProfiler.enable');
+        await devtools.send('Performance.enable');
         const heap = async () => {
-            await devtools.send('HeapProfiler.collectGarbage');
-            return (await devtools.send('Runtime.getHeapUsage')).usedSize / 1e6;
+            for (let i = 0; i < 3; ++i) {   // what finalizers let go in the first is collected in the next
+                await devtools.send('HeapProfiler.collectGarbage');
+                await tab.page.waitForTimeout(300);
+            }
+            const { metrics } = await devtools.send('Performance.getMetrics');
+            return [...['Nodes', 'JSEventListeners'].map(name => metrics.find(metric => metric.name === name).value),
+                (await devtools.send('Runtime.getHeapUsage')).usedSize / 1e6];
         };
-        console.log('| walked | time | heap | files there | live Shapes |\n|--:|--:|--:|--:|--:|');
+        console.log('| walked | time | heap | nodes | listeners | files there | live Shapes |\n|--:|--:|--:|--:|--:|--:|--:|');
         let seconds = 0;
         for (let done = 0; done <= km; ++done) {
             const now = await tab.page.evaluate(() => ({ files: window.vicus.visit.sectors.length, shapes: window.vicus.visit.planner.liveShapes() }));
-            console.log(`| ${done} km | ${(seconds / 60).toFixed(1)} min | ${(await heap()).toFixed(1)} MB | ${now.files} | ${now.shapes} |`);
+            const [nodes, listeners, megabytes] = await heap();
+            console.log(`| ${done} km | ${(seconds / 60).toFixed(1)} min | ${megabytes.toFixed(1)} MB | ${nodes} | ${listeners} | ${now.files} | ${now.shapes} |`);
             if (done < km) seconds += (await tab.page.evaluate(walkAlong, { points, speed, metres: 1000 })).seconds;
         }
     } finally {

@@ -33,7 +33,7 @@ test(`pictures in the gates of ${name}`, { timeout: 1800000 }, async t => {
         const tab = await openTab(browser.context), { page } = tab;
         let release;
         const released = new Promise(resolve => { release = resolve; });
-        await page.route(new RegExp(`/sectors/${neighbour}(\\.far)?\\.x3d`), async route => {
+        await page.route(new RegExp(`/parcels\\?files=([^&]*,)?${neighbour}(\\.far)?[,&]`), async route => {
             await released;
             await route.continue().catch(() => {});   // given up meanwhile
         });

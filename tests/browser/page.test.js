@@ -35,7 +35,7 @@ test(`the page of ${name}`, { timeout: 600000 }, async t => {
         let refusals = 0;
         const later = () => new Promise(resolve => setTimeout(resolve, 300));   // long enough to see what is said meanwhile
         const refuseTwice = route => (++refusals <= 2 ? later().then(() => route.abort()) : route.continue());
-        await visitor.page.route(`**/sectors/${neighbour}.x3d`, refuseTwice);
+        await visitor.page.route(new RegExp(`/parcels\\?files=([^&]*,)?${neighbour}[,&]`), refuseTwice);
         await visitor.page.goto(`${server.origin}/?start=${start}`);
         await visitor.page.waitForSelector('#message.trouble:not([hidden])');
         assert.match(await visitor.page.textContent('#message'), /cannot be loaded: trying again/);

@@ -1,11 +1,20 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const kSerious = ['serious', 'critical'];
 const kLeastContrast = 4.5, kLeastLargeContrast = 3;   // WCAG 2.1, 1.4.3
 
 /**
- * What axe would call serious on the page, as far as it can be told without axe: names of controls, ids, roles' needs,
- * references, headings, language, zoom, contrast of text on plain grounds, focus into what is hidden. Returns sentences.
+ * What axe calls serious or worse on the page; and what it cannot tell for sure, or not at all: contrast over the 3D window, focus
+ * into what is hidden, and again names of controls, ids, roles' needs, references, headings, language, zoom. Returns sentences.
  */
-export function faultsOfPage(page) {
-    return page.evaluate(findFaults, { least: kLeastContrast, leastLarge: kLeastLargeContrast });
+export async function faultsOfPage(page) {
+    if (!await page.evaluate(() => Boolean(window.axe))) await page.evaluate(readFileSync(kAxe, 'utf8'));
+    const violations = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations);
+    const serious = violations.filter(({ impact }) => kSerious.includes(impact));
+    const told = serious.flatMap(({ id, help, nodes }) => nodes.map(({ target }) => `axe, ${id}: ${help}: ${target.join(' ')}`));
+    return [...told, ...await page.evaluate(findFaults, { least: kLeastContrast, leastLarge: kLeastLargeContrast })];
 }
 
 /* Runs in the page. */

@@ -38,11 +38,13 @@ export async function openTab(context) {
     await devtools.send('Network.enable');
     const paths = new Map();
     devtools.on('Network.requestWillBeSent', ({ requestId, request }) => {
+        if (!request.url.startsWith('http')) return;   // what the page has already: blob:, data:
         paths.set(requestId, new URL(request.url).pathname);
         tab.requests.push({ path: new URL(request.url).pathname, at: Date.now() });
     });
     devtools.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
         const path = paths.get(requestId);
+        if (!path) return;
         tab.bytes.set(path, (tab.bytes.get(path) ?? 0) + encodedDataLength);
     });
     return tab;

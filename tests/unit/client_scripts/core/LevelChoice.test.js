@@ -25,8 +25,25 @@ test('who stands still is given more, too; who waits for files is not', () => {
 
 test('frames that a smaller set makes faster: it is kept', () => {
     const choice = new LevelChoice({ start: 2 });
-    assert.deepEqual(run(choice, 120, { frame: i => 0.03 + 0.04 * i }), [2, 1, 0]);
+    assert.deepEqual(run(choice, 110, { frame: i => 0.03 + 0.04 * i }), [2, 1]);
     assert.match(choice.reason, /frames/);
+});
+
+test('what is no longer wanted stays for 8 s: frames are judged only then', () => {
+    const choice = new LevelChoice({ start: 2 });
+    let since = null;
+    const frame = i => (i === 1 && since !== null && choice.trialNow - since > 8 ? 0.05 : 0.2);
+    for (let now = 0; now < 100; now += 0.2) {
+        choice.trialNow = now;
+        if (choice.i === 1) since ??= now;
+        choice.addFrame(frame(choice.i));
+        choice.judge({ now, isSettled: true, waitSeconds: 0, shapes: 300, nextShapes: 350, shapeCap: 1500, memoryShare: 0.1 });
+    }
+    assert.equal(choice.i, 1);
+});
+
+test('for the frames\' sake alone nothing that is seen from here is given up', () => {
+    assert.deepEqual(run(new LevelChoice({ start: 1, limit: 1 }), 110, { frame: i => 0.03 + 0.3 * i }), [1]);
 });
 
 test('frames that a smaller set makes no faster: it is given up, and not tried again soon', () => {

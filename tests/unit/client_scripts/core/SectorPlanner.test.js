@@ -85,7 +85,7 @@ test('turning round at a gate within the hysteresis changes nothing', () => {
     assert.equal(visit.planner.current, 's1');
     visit.walk([39.6, 5], [39.4, 5]);
     assert.equal(visit.planner.current, 's0');
-    assert.deepEqual(visit.unloads, []);
+    assert.deepEqual(visit.unloads.filter(stem => levelOf(stem) === 'near'), []);
 });
 
 test('a walker who turns back within keepSeconds finds the sector there', () => {
@@ -218,7 +218,7 @@ test('live Shapes stay under the cap: what was left the longest ago goes first, 
         assert.ok(visit.planner.liveShapes() <= 350, `${visit.planner.liveShapes()} at ${x}`);
         assert.ok(visit.live.has(visit.planner.current));
     }
-    assert.equal(visit.unloads[0], 's0');
+    assert.equal(visit.unloads.find(stem => levelOf(stem) === 'near'), 's0');
 });
 
 test('at most three are on their way at a time', () => {
@@ -288,4 +288,57 @@ test('i goes by measure: up where all is calm, and wakeAt tells when', () => {
     visit.stay([20, 5], 1.5);
     assert.equal(visit.planner.i, 2);
     assert.ok(visit.live.has('s2.far'));
+});
+
+test('many files by one request: the sector he is in alone, then all of L_1 at once, then all of the next ring at once', () => {
+    const visit = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2, filesAtOnce: 48 }, delay: 4 }), requests = [];
+    for (let i = 0; i < 120; ++i) {
+        const { load } = visit.frame([5, 0]);
+        if (load.length) requests.push(load);
+    }
+    const one = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2 } }).stay([5, 0], 5);
+    assert.deepEqual(visit.liveIds, one.liveIds, 'the same files as one by one');
+    assert.deepEqual(requests[0], ['s0']);
+    const ringOf = stem => visit.planner.wantedNow.get(stem).ring;
+    assert.ok(requests[1].length > 1);
+    for (const load of requests) assert.equal(new Set(load.map(ringOf)).size, 1, `${load}: of one ring`);
+    assert.deepEqual(visit.asked, [...new Set(visit.asked)], 'nothing is asked for twice');
+    const few = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 1, filesAtOnce: 2, loadsInFlight: 1 }, delay: 4 }).stay([5, 0], 5);
+    assert.equal(few.perFrame, 2);
+});
+
+test('what is needed most: by ring, then near before far before tall, what is not wanted last', () => {
+    const visit = new Visit({ start: 's0', records: seeingFar(streetRecords()), options: { fixedLevel: 2 } }).stay([5, 0], 5);
+    const stems = [...visit.planner.wantedNow.keys(), 'nobody'].sort((a, b) => visit.planner.compareNeed(a, b));
+    const rings = stems.slice(0, -1).map(stem => visit.planner.wantedNow.get(stem).ring);
+    assert.equal(stems[0], 's0');
+    assert.equal(stems.at(-1), 'nobody');
+    assert.deepEqual(rings, [...rings].sort());
+});
+
+test('how long files wait is told by who knows the line; else since when they were asked for', () => {
+    for (const [waitSeconds, least] of [[null, 1], [0, 2]]) {
+        const planner = new SectorPlanner('s0', { level: 2 }), [s0, ...others] = streetRecords();
+        planner.addNeighbour(s0);
+        planner.plan([5, 0], 0);
+        planner.arrived('s0', s0);
+        for (let now = 0; now < 30; now += 0.25) planner.plan([5, 0], now, { waitSeconds });
+        assert.equal(planner.i, least, `${others.length} files never arrive`);
+    }
+});
+
+test('who walks to a gate has what is seen from behind it before he is there; who stands or walks away has not', () => {
+    const visit = new Visit().stay([30, 5], 1);
+    assert.deepEqual(visit.liveIds, ['s0', 's1']);
+    visit.walk([30, 5], [20.5, 5]);
+    assert.deepEqual(visit.liveIds, ['s0', 's1'], 'away from it');
+    const missing = [];
+    for (let x = 20.5; x < 60; x += 1.4 / 60) {
+        visit.frame([x, 5]);
+        const here = visit.planner.sectors.get(visit.planner.current);
+        const ids = new Set([...visit.live].map(idOf));
+        for (const id of levelsAround(here).keys()) if (!ids.has(id)) missing.push(`${id} at ${x.toFixed(1)}`);
+    }
+    assert.equal(visit.planner.current, 's1');
+    assert.deepEqual(missing, []);
 });

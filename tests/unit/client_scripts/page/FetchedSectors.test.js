@@ -90,6 +90,8 @@ test('bytes: what is there, what is on its way, and how long it will take', asyn
     files.frame();
     assert.deepEqual([files.loaded.bytes, files.loaded.files, files.bytesPerSecond], [4000, 1, 2000]);
     assert.ok(files.means.near < 13000, 'the mean follows what comes');
+    assert.equal(files.waitSeconds, 2, 'as long as it has taken, where that is more than what is left should take');
+    state.now = 0;
     assert.ok(Math.abs(files.waitSeconds - files.bytesInFlight / 2000) < 1e-9);
     const { bytes, allBytes, files: there, allFiles } = files.progress(['x', 'y.tall']);
     assert.deepEqual([bytes, there, allFiles], [4000, 1, 4]);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { quotedTexts } from '../../../../client_scripts/page/X3domSectors.js';
+import { quotedTexts } from '../../../../client_scripts/page/sectorElements.js';
 
 test('texts of an MFString come back without their quotation marks', () => {
     assert.deepEqual(quotedTexts('"a" "Rue de l\'Abreuvoir"'), ['a', 'Rue de l\'Abreuvoir']);

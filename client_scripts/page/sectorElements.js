@@ -1,0 +1,32 @@
+import { recordFromMetadata } from '../core/recordMetadata.js';
+
+/** The record in a sector's elements (an XML document, or an Inline of X3DOM), or null where there is none. */
+export function recordOfElements(root) {
+    const metadata = root.querySelector('[DEF="RECORD"]');
+    return metadata ? recordFromMetadata(metadataTree(metadata)) : null;
+}
+
+/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
+export function groundOfElements(root, origin) {
+    const geometry = root.querySelector('[DEF="GROUND"] > IndexedFaceSet, [DEF="GROUND"] > indexedfaceset');
+    const numbers = (node, name) => (node?.getAttribute(name) ?? '').trim().split(/[\s,]+/).map(Number);
+    const coordinates = numbers(geometry?.querySelector('Coordinate, coordinate'), 'point');
+    if (!origin || coordinates.length < 9) return null;
+    const points = [];
+    for (let i = 0; i + 2 < coordinates.length; i += 3)
+        points.push([1000 * (origin[0] + coordinates[i]), 1000 * (origin[1] - coordinates[i + 2]), 1000 * coordinates[i + 1]]);
+    return { points, triangles: numbers(geometry, 'coordIndex').filter(index => index >= 0) };
+}
+
+/** Metadata elements -> { name, value } as recordFromMetadata reads them. */
+function metadataTree(node) {
+    const name = node.getAttribute('name'), text = node.getAttribute('value') ?? '';
+    if (node.localName.toLowerCase() === 'metadataset') return { name, value: [...node.children].map(metadataTree) };
+    const isText = node.localName.toLowerCase() === 'metadatastring';
+    return { name, value: isText ? quotedTexts(text) : text.trim().split(/[\s,]+/).map(Number) };
+}
+
+/** MFString as XML has it: quoted texts, a backslash before quotation marks and backslashes inside. */
+export function quotedTexts(text) {
+    return [...text.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, inner]) => inner.replace(/\\(.)/g, '$1'));
+}
