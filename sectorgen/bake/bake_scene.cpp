@@ -10,6 +10,7 @@
 #include "city_db/facade_layout.hpp"
 #include "city_db/run_parallel.hpp"
 #include "city_db/segment.hpp"
+#include "city_db/surroundings.hpp"
 
 namespace vicus {
 namespace {
@@ -66,6 +67,7 @@ void add_roof(const Building& house, BakeHouse& out) {
       out.roof.push_back(t);
     }
     out.planes.push_back(plane);
+    out.lit_roof.push_back(rounded(mean_of(house.roof_colour) * light_on(-plane.east, -plane.north, 1)));
   }
 }
 
@@ -91,6 +93,7 @@ void add_walls(const Building& house, const Ring& ring, const std::vector<const 
       wall.from_m = along_m(a, facade.b, facade.a);
       wall.to_m = along_m(b, facade.b, facade.a);
     }
+    wall.light = wall.ax == wall.bx && wall.ay == wall.by ? 0 : light_on(wall.by - wall.ay, wall.ax - wall.bx, 0);
     out.walls.push_back(wall);
   }
 }
