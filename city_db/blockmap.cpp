@@ -16,13 +16,23 @@ namespace {
 constexpr std::uint32_t kMostTileSide_mm = 1u << 30;
 constexpr std::uint32_t kMostStep_um = 100'000'000;
 
-/// Height of the cell at the middle of one of its sides, um.
-std::int64_t height_at_side(const BlockMap& map, std::size_t cell, int east, int north) {
-  const std::int64_t rise =
-      (map.slope_east[cell] - BLOCKMAP_SLOPE_ZERO) * east + (map.slope_north[cell] - BLOCKMAP_SLOPE_ZERO) * north;
-  return std::int64_t{map.height[cell]} * map.step_um +
-         rise * std::int64_t{map.tile_side_mm} * 1000 / (2 * BLOCKMAP_SLOPE_ONE * std::int64_t{map.side});
-}
+/// Heights of cells at the middles of their sides, um.
+class SideHeights {
+ public:
+  explicit SideHeights(const BlockMap& map) : map_(map) {
+    for (std::size_t slope = 0; slope < rise_.size(); ++slope)
+      rise_[slope] = (static_cast<std::int64_t>(slope) - BLOCKMAP_SLOPE_ZERO) * std::int64_t{map.tile_side_mm} * 1000 /
+                     (2 * BLOCKMAP_SLOPE_ONE * std::int64_t{map.side});
+  }
+  std::int64_t at(std::size_t cell, int east, int north) const {
+    const std::int64_t rise = east != 0 ? east * rise_[map_.slope_east[cell]] : north * rise_[map_.slope_north[cell]];
+    return std::int64_t{map_.height[cell]} * map_.step_um + rise;
+  }
+
+ private:
+  const BlockMap& map_;
+  std::array<std::int64_t, 256> rise_{};
+};
 
 struct SideStep {
   std::uint8_t bit;
@@ -30,16 +40,17 @@ struct SideStep {
 };
 constexpr SideStep kSides[] = {{kWallEast, 1, 0}, {kWallNorth, 0, 1}, {kWallWest, -1, 0}, {kWallSouth, 0, -1}};
 
-bool has_wall(const BlockMap& map, std::size_t column, std::size_t row, const SideStep& side) {
+bool has_wall(const BlockMap& map, const SideHeights& heights, std::size_t column, std::size_t row,
+              const SideStep& side) {
   const std::size_t n = map.side, cell = row * n + column;
-  const std::int64_t own = height_at_side(map, cell, side.east, side.north);
+  const std::int64_t own = heights.at(cell, side.east, side.north);
   const bool at_rim = (side.east > 0 && column + 1 == n) || (side.east < 0 && column == 0) ||
                       (side.north > 0 && row + 1 == n) || (side.north < 0 && row == 0);
   if (at_rim) return own > std::int64_t{map.wall_step_um};
   const std::size_t other = (row + static_cast<std::size_t>(side.north)) * n + column +
                             static_cast<std::size_t>(side.east);  // wraps back to the cell below or left
   if (map.offset[other] != 0) return false;
-  return own - height_at_side(map, other, -side.east, -side.north) > std::int64_t{map.wall_step_um};
+  return own - heights.at(other, -side.east, -side.north) > std::int64_t{map.wall_step_um};
 }
 
 bool is_sound(const BlockMap& map) {
@@ -68,6 +79,7 @@ CellLine line_of(std::uint8_t angle, std::uint8_t offset) {
 }
 
 std::vector<std::uint8_t> wall_bits(const BlockMap& map) {
+  const SideHeights heights(map);
   std::vector<std::uint8_t> bits(map.height.size());
   for (std::size_t row = 0, cell = 0; row < map.side; ++row)
     for (std::size_t column = 0; column < map.side; ++column, ++cell) {
@@ -76,7 +88,7 @@ std::vector<std::uint8_t> wall_bits(const BlockMap& map) {
         if (rise * map.step_um > std::int64_t{map.wall_step_um}) bits[cell] = kWallLine;
       } else {
         for (const auto& side : kSides)
-          if (has_wall(map, column, row, side)) bits[cell] |= side.bit;
+          if (has_wall(map, heights, column, row, side)) bits[cell] |= side.bit;
       }
     }
   return bits;

@@ -28,7 +28,7 @@ export function blockMapMesh(map, image) {
     });
     const rim = [base(0, 0), base(side, 0), base(0, side), base(side, side)];
     const heights = Float64Array.from({ length: 9 }, (_, i) => base((i % 3) * side / 2, Math.floor(i / 3) * side / 2));
-    return { corner: map.corner, side, error: map.error, parts, image, roofs: new Float32Array(0),
+    return { corner: map.corner, side, error: map.error, parts, image, roofs: new Float32Array(0), outlines: [],
         range: [Math.min(...rim), Math.max(...rim) + top], heights, nodes: 3, bytes: kImageTexelBytes * image.pixels.length + 4 * kBoxBytes };
 }
 

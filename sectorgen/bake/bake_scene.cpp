@@ -164,9 +164,14 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
   std::unordered_map<std::string, std::shared_ptr<const FacadeSums>> pictures;
   for (std::size_t i = 0; i < names.size(); ++i) pictures.emplace(names[i], sums[i]);
 
-  houses_.resize(city.buildings.size());
-  for (std::size_t i = 0; i < city.buildings.size(); ++i) {
-    const Building& house = city.buildings[i];
+  // By id: a part of the city, read from its file, gives the same bytes as the whole (sums are rounded, heights are
+  // equal).
+  std::vector<const Building*> by_id;
+  for (const Building& house : city.buildings) by_id.push_back(&house);
+  std::sort(by_id.begin(), by_id.end(), [](const Building* a, const Building* b) { return a->id < b->id; });
+  houses_.resize(by_id.size());
+  for (std::size_t i = 0; i < by_id.size(); ++i) {
+    const Building& house = *by_id[i];
     BakeHouse& out = houses_[i];
     out.id = house.id;
     out.box = box_of(house.footprint);

@@ -66,7 +66,7 @@ class BakeScene {
   /// `picture`: the PNG of a texture by id; empty where there is none (its facades are blind).
   BakeScene(const City& city, const std::function<std::string(const std::string& id)>& picture, unsigned threads);
 
-  const std::vector<BakeHouse>& houses() const { return houses_; }
+  const std::vector<BakeHouse>& houses() const { return houses_; }  ///< by id
   const std::vector<BakeGround>& ground() const { return ground_; }
   const Terrain& terrain() const { return terrain_; }
   std::vector<std::uint32_t> houses_in(const PlanBox& box) const;  ///< whose box meets it, in order

@@ -429,7 +429,8 @@ void rebake(Loaded& city) {
   const int levels = tile_levels(city.scene->box());
   const auto before = plan_tiles(*city.scene, levels, 1);
   const auto houses = city.scene->houses_in(tile_box(levels, before.back().at));
-  city.city.buildings.at(houses.at(0)).roof_colour.r ^= 0x40;
+  for (Building& house : city.city.buildings)
+    if (house.id == city.scene->houses()[houses.at(0)].id) house.roof_colour.r ^= 0x40;
   const BakeScene scene(
       city.city, [](const std::string&) { return std::string(); }, 1);
   const double start = cpu_now();

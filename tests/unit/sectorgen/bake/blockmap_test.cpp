@@ -200,6 +200,21 @@ TEST(BlockMap, ComesBackAsItWasEncoded) {
   EXPECT_GT(map.colour_error_milli, 0u);
 }
 
+/// A part of the city that is read from its file comes in another order.
+TEST(BlockMap, TilesAreEqualInWhateverOrderHousesAndGroundCome) {
+  City turned = town();
+  std::reverse(turned.buildings.begin(), turned.buildings.end());
+  std::reverse(turned.surfaces.begin(), turned.surfaces.end());
+  const BakeScene scene(turned, pictures_of(turned), 1);
+  const int levels = levels_of(turned);
+  for (const TileNode& node : plan_tiles(town_scene(), levels, 1))
+    for (const TileKind kind : kTileKinds)
+      if (has_kind(node, kind)) {
+        EXPECT_EQ(tile_bytes(scene, levels, node.at, kind, 1), tile_bytes(town_scene(), levels, node.at, kind, 1))
+            << tile_path(node.at, kind);
+      }
+}
+
 TEST(BlockMap, PicturesOfFewColoursComeBackAndNoOthersPass) {
   const IndexedPicture picture{{{1, 2, 3}, {200, 100, 50}}, std::string("\0\1\1\0\1\0", 6)};
   const std::string bytes = encode_indexed(picture);
