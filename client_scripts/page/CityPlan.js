@@ -19,7 +19,6 @@ export class CityPlan {
 
     /** Fetches what is missing within `reach` metres. */
     around(east, north, reach) {
-        if (!this.degrees) return;
         for (let i = Math.floor((east - reach) / kCell); i <= Math.floor((east + reach) / kCell); ++i)
             for (let j = Math.floor((north - reach) / kCell); j <= Math.floor((north + reach) / kCell); ++j) {
                 const key = `${i},${j}`;
@@ -35,7 +34,7 @@ export class CityPlan {
 
     async fetchCell(i, j) {
         if (!this.site) {
-            const isServed = await this.fetchCollections(i, j).then(() => true, () => false);
+            const isServed = this.degrees && await this.fetchCollections(i, j).then(() => true, () => false);
             if (isServed) return;
             this.site ??= this.fetchSite();
         }
