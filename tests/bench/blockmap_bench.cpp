@@ -25,6 +25,7 @@
 ///   blockmap_bench CITY.gpkg prisms                       bytes a house, level by level
 ///   blockmap_bench CITY.gpkg compare                      error at equal bytes: 2007, 2009, ours
 ///   blockmap_bench CITY.gpkg error                        measured against stored error
+///   blockmap_bench CITY.gpkg codecs                       pictures as WebP and as palettes: bytes and error
 ///   blockmap_bench CITY.gpkg rebake                       one house changes: what is baked again, and how long it
 ///   takes blockmap_bench CITY.gpkg picture OUT E,N,UP DIST EL AZ SIDE CELLS   truth and BlockMap+ side by side
 namespace {
@@ -461,8 +462,9 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[2], "rebake") == 0) return rebake(city), 0;
     if (std::strcmp(argv[2], "picture") == 0 && argc == 10) return picture(city, argv + 3), 0;
   }
-  std::fprintf(stderr,
-               "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | rebake | picture OUT E,N,UP DIST EL "
-               "AZ SIDE CELLS\n");
+  std::fprintf(
+      stderr,
+      "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | codecs | rebake | picture OUT E,N,UP DIST EL "
+      "AZ SIDE CELLS\n");
   return 2;
 }
