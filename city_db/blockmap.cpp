@@ -1,5 +1,6 @@
 #include "city_db/blockmap.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -15,13 +16,23 @@ namespace {
 constexpr std::uint32_t kMostTileSide_mm = 1u << 30;
 constexpr std::uint32_t kMostStep_um = 100'000'000;
 
-/// Height of the cell at the middle of one of its sides, um.
-std::int64_t height_at_side(const BlockMap& map, std::size_t cell, int east, int north) {
-  const std::int64_t rise =
-      (map.slope_east[cell] - BLOCKMAP_SLOPE_ZERO) * east + (map.slope_north[cell] - BLOCKMAP_SLOPE_ZERO) * north;
-  return std::int64_t{map.height[cell]} * map.step_um +
-         rise * std::int64_t{map.tile_side_mm} * 1000 / (2 * BLOCKMAP_SLOPE_ONE * std::int64_t{map.side});
-}
+/// Heights of cells at the middles of their sides, um.
+class SideHeights {
+ public:
+  explicit SideHeights(const BlockMap& map) : map_(map) {
+    for (std::size_t slope = 0; slope < rise_.size(); ++slope)
+      rise_[slope] = (static_cast<std::int64_t>(slope) - BLOCKMAP_SLOPE_ZERO) * std::int64_t{map.tile_side_mm} * 1000 /
+                     (2 * BLOCKMAP_SLOPE_ONE * std::int64_t{map.side});
+  }
+  std::int64_t at(std::size_t cell, int east, int north) const {
+    const std::int64_t rise = east != 0 ? east * rise_[map_.slope_east[cell]] : north * rise_[map_.slope_north[cell]];
+    return std::int64_t{map_.height[cell]} * map_.step_um + rise;
+  }
+
+ private:
+  const BlockMap& map_;
+  std::array<std::int64_t, 256> rise_{};
+};
 
 struct SideStep {
   std::uint8_t bit;
@@ -29,16 +40,17 @@ struct SideStep {
 };
 constexpr SideStep kSides[] = {{kWallEast, 1, 0}, {kWallNorth, 0, 1}, {kWallWest, -1, 0}, {kWallSouth, 0, -1}};
 
-bool has_wall(const BlockMap& map, std::size_t column, std::size_t row, const SideStep& side) {
+bool has_wall(const BlockMap& map, const SideHeights& heights, std::size_t column, std::size_t row,
+              const SideStep& side) {
   const std::size_t n = map.side, cell = row * n + column;
-  const std::int64_t own = height_at_side(map, cell, side.east, side.north);
+  const std::int64_t own = heights.at(cell, side.east, side.north);
   const bool at_rim = (side.east > 0 && column + 1 == n) || (side.east < 0 && column == 0) ||
                       (side.north > 0 && row + 1 == n) || (side.north < 0 && row == 0);
   if (at_rim) return own > std::int64_t{map.wall_step_um};
   const std::size_t other = (row + static_cast<std::size_t>(side.north)) * n + column +
                             static_cast<std::size_t>(side.east);  // wraps back to the cell below or left
   if (map.offset[other] != 0) return false;
-  return own - height_at_side(map, other, -side.east, -side.north) > std::int64_t{map.wall_step_um};
+  return own - heights.at(other, -side.east, -side.north) > std::int64_t{map.wall_step_um};
 }
 
 bool is_sound(const BlockMap& map) {
@@ -67,6 +79,7 @@ CellLine line_of(std::uint8_t angle, std::uint8_t offset) {
 }
 
 std::vector<std::uint8_t> wall_bits(const BlockMap& map) {
+  const SideHeights heights(map);
   std::vector<std::uint8_t> bits(map.height.size());
   for (std::size_t row = 0, cell = 0; row < map.side; ++row)
     for (std::size_t column = 0; column < map.side; ++column, ++cell) {
@@ -75,7 +88,7 @@ std::vector<std::uint8_t> wall_bits(const BlockMap& map) {
         if (rise * map.step_um > std::int64_t{map.wall_step_um}) bits[cell] = kWallLine;
       } else {
         for (const auto& side : kSides)
-          if (has_wall(map, column, row, side)) bits[cell] |= side.bit;
+          if (has_wall(map, heights, column, row, side)) bits[cell] |= side.bit;
       }
     }
   return bits;
@@ -103,6 +116,7 @@ std::string encode_blockmap(const BlockMap& map) {
   const std::size_t cells = std::size_t{map.side} * map.side;
   assert(is_sound(map) && map.height.size() == cells && map.foot.size() == cells && map.slope_east.size() == cells &&
          map.slope_north.size() == cells && map.angle.size() == cells && map.offset.size() == cells);
+  for (std::size_t i = 0; i < cells; ++i) assert(map.offset[i] != 0 || (map.angle[i] == 0 && map.foot[i] == 0));
   std::string out(BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * cells, '\0');
   const auto put = [&](std::size_t at, std::uint64_t value, std::size_t size) { set_field(out, at, value, size); };
   put(BLOCKMAP_MAGIC_AT, BLOCKMAP_MAGIC, 4);
@@ -135,10 +149,15 @@ std::string encode_blockmap(const BlockMap& map) {
   plane(BLOCKMAP_PLANE_HEIGHT_LOW, [&](std::size_t i) { return map.height[i]; });
   plane(BLOCKMAP_PLANE_SLOPE_EAST, [&](std::size_t i) { return map.slope_east[i]; });
   plane(BLOCKMAP_PLANE_SLOPE_NORTH, [&](std::size_t i) { return map.slope_north[i]; });
-  plane(BLOCKMAP_PLANE_ANGLE, [&](std::size_t i) { return map.angle[i]; });
   plane(BLOCKMAP_PLANE_OFFSET, [&](std::size_t i) { return map.offset[i]; });
-  plane(BLOCKMAP_PLANE_FOOT_HIGH, [&](std::size_t i) { return map.foot[i] >> 8; });
-  plane(BLOCKMAP_PLANE_FOOT_LOW, [&](std::size_t i) { return map.foot[i]; });
+  const auto of_lines = [&](auto value) {
+    for (std::size_t i = 0; i < cells; ++i)
+      if (map.offset[i] != 0) out.push_back(static_cast<char>(value(i) & 0xff));
+  };
+  static_assert(BLOCKMAP_LINE_ANGLE == 0 && BLOCKMAP_LINE_FOOT_HIGH == 1 && BLOCKMAP_LINE_FOOT_LOW == 2);
+  of_lines([&](std::size_t i) { return map.angle[i]; });
+  of_lines([&](std::size_t i) { return map.foot[i] >> 8; });
+  of_lines([&](std::size_t i) { return map.foot[i]; });
   return out + map.roof_image + map.ground_image + map.ambient_image + map.wall_image;
 }
 
@@ -165,7 +184,11 @@ std::optional<BlockMap> decode_blockmap(std::string_view bytes) {
   const std::size_t cells = std::size_t{map.side} * map.side;
   const std::uint64_t lengths[] = {u32_at(bytes, BLOCKMAP_ROOF_BYTES_AT), u32_at(bytes, BLOCKMAP_GROUND_BYTES_AT),
                                    u32_at(bytes, BLOCKMAP_AMBIENT_BYTES_AT), u32_at(bytes, BLOCKMAP_WALL_BYTES_AT)};
-  std::size_t at = BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * cells;
+  const std::size_t planes_end = BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * cells;
+  if (bytes.size() < planes_end) return std::nullopt;
+  const auto offsets = bytes.substr(BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANE_OFFSET * cells, cells);
+  const auto lines = cells - static_cast<std::size_t>(std::count(offsets.begin(), offsets.end(), '\0'));
+  std::size_t at = planes_end + BLOCKMAP_LINE_BYTES * lines;
   if (bytes.size() != at + lengths[0] + lengths[1] + lengths[2] + lengths[3]) return std::nullopt;
   if (flags != (lengths[2] != 0 ? BLOCKMAP_FLAG_AMBIENT : 0)) return std::nullopt;
   const auto plane = [&](std::size_t which, std::size_t i) {
@@ -176,13 +199,19 @@ std::optional<BlockMap> decode_blockmap(std::string_view bytes) {
   };
   for (auto* list : {&map.height, &map.foot}) list->resize(cells);
   for (auto* list : {&map.slope_east, &map.slope_north, &map.angle, &map.offset}) list->resize(cells);
-  for (std::size_t i = 0; i < cells; ++i) {
+  const auto of_line = [&](std::size_t which, std::size_t line) {
+    return static_cast<std::uint8_t>(bytes[planes_end + which * lines + line]);
+  };
+  for (std::size_t i = 0, line = 0; i < cells; ++i) {
     map.height[i] = wide(BLOCKMAP_PLANE_HEIGHT_HIGH, BLOCKMAP_PLANE_HEIGHT_LOW, i);
-    map.foot[i] = wide(BLOCKMAP_PLANE_FOOT_HIGH, BLOCKMAP_PLANE_FOOT_LOW, i);
     map.slope_east[i] = plane(BLOCKMAP_PLANE_SLOPE_EAST, i);
     map.slope_north[i] = plane(BLOCKMAP_PLANE_SLOPE_NORTH, i);
-    map.angle[i] = plane(BLOCKMAP_PLANE_ANGLE, i);
     map.offset[i] = plane(BLOCKMAP_PLANE_OFFSET, i);
+    if (map.offset[i] == 0) continue;
+    map.angle[i] = of_line(BLOCKMAP_LINE_ANGLE, line);
+    map.foot[i] =
+        static_cast<std::uint16_t>(of_line(BLOCKMAP_LINE_FOOT_HIGH, line) << 8 | of_line(BLOCKMAP_LINE_FOOT_LOW, line));
+    ++line;
   }
   if (u32_at(bytes, BLOCKMAP_COLUMNS_AT) != first_columns(wall_bits(map)).back()) return std::nullopt;
   std::string* images[] = {&map.roof_image, &map.ground_image, &map.ambient_image, &map.wall_image};

@@ -28,11 +28,11 @@ struct BlockMap {
   std::uint32_t step_um = 1, wall_step_um = 0;
   std::uint32_t error_mm = 0, colour_error_milli = 0;
   std::uint64_t key = 0;
-  std::uint32_t top = 0;                              ///< steps
-  std::vector<std::uint16_t> height, foot;            ///< steps, side * side each
-  std::vector<std::uint8_t> slope_east, slope_north;  ///< as stored
-  std::vector<std::uint8_t> angle, offset;
-  std::string roof_image, ground_image, ambient_image, wall_image;  ///< coded images
+  std::uint32_t top = 0;                                            ///< steps
+  std::vector<std::uint16_t> height, foot;                          ///< steps, side * side each
+  std::vector<std::uint8_t> slope_east, slope_north;                ///< as stored
+  std::vector<std::uint8_t> angle, offset;                          ///< angle and foot are 0 where offset is
+  std::string roof_image, ground_image, ambient_image, wall_image;  ///< encode_indexed of each; empty: none
   friend bool operator==(const BlockMap&, const BlockMap&) = default;
 };
 
@@ -57,7 +57,7 @@ struct CellLine {
 };
 CellLine line_of(std::uint8_t angle, std::uint8_t offset);
 
-/// Needs   planes of side * side (assert).
+/// Needs   planes of side * side, no angle nor foot where there is no line (assert).
 std::string encode_blockmap(const BlockMap& map);
 /// Of hostile bytes; nullopt for what encode_blockmap cannot have made. The images are not looked into.
 std::optional<BlockMap> decode_blockmap(std::string_view bytes);

@@ -1,7 +1,7 @@
 // The only statement of BlockMap+ bytes (FORMAT.md, "BlockMap+"). Read by C++, GLSL ES 3.00 and JavaScript, hence
 // integer #defines only. Little-endian.
 #define BLOCKMAP_MAGIC 0x31504D42  // "BMP1"
-#define BLOCKMAP_VERSION 1
+#define BLOCKMAP_VERSION 2
 #define BLOCKMAP_MAGIC_AT 0          // u32
 #define BLOCKMAP_VERSION_AT 4        // u16
 #define BLOCKMAP_SIDE_AT 6           // u16: cells per side, N: a power of two
@@ -26,16 +26,18 @@
 #define BLOCKMAP_WALL_BYTES_AT 80  // u32: of the wall columns, BLOCKMAP_ATLAS_WIDTH a strip, strips from the top down
 #define BLOCKMAP_HEADER_BYTES 84
 #define BLOCKMAP_FLAG_AMBIENT 1
-// After the header the planes, each N * N bytes, row by row from the south, each from the west; then the images.
+// After the header the planes, each N * N bytes, row by row from the south, each from the west; then, of the cells with
+// a line alone, in that order, what BLOCKMAP_LINE_ says, each a byte a cell; then the pictures (indexed_picture.hpp).
 #define BLOCKMAP_PLANE_HEIGHT_HIGH 0  // high byte of the height above the base plane at the cell's middle, in steps
 #define BLOCKMAP_PLANE_HEIGHT_LOW 1
 #define BLOCKMAP_PLANE_SLOPE_EAST 2  // BLOCKMAP_SLOPE_ZERO: level
 #define BLOCKMAP_PLANE_SLOPE_NORTH 3
-#define BLOCKMAP_PLANE_ANGLE 4      // of the line's normal, which looks to the lower side: 256 steps, 0 east, 64 north
-#define BLOCKMAP_PLANE_OFFSET 5     // of the line from the cell's middle; 0: the cell has no line
-#define BLOCKMAP_PLANE_FOOT_HIGH 6  // beyond the line: height of the level surface there
-#define BLOCKMAP_PLANE_FOOT_LOW 7
-#define BLOCKMAP_PLANES 8
+#define BLOCKMAP_PLANE_OFFSET 4  // of the line from the cell's middle; 0: the cell has no line
+#define BLOCKMAP_PLANES 5
+#define BLOCKMAP_LINE_ANGLE 0      // of the line's normal, which looks to the lower side: 256 steps, 0 east, 64 north
+#define BLOCKMAP_LINE_FOOT_HIGH 1  // beyond the line: height of the level surface there
+#define BLOCKMAP_LINE_FOOT_LOW 2
+#define BLOCKMAP_LINE_BYTES 3
 #define BLOCKMAP_BASE_ONE 1000000
 #define BLOCKMAP_SLOPE_ONE 32  // steps of slope to 45 degrees
 #define BLOCKMAP_SLOPE_ZERO 128

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "city_db/colour.hpp"
 
 /// Light and sky of every root world: for the scene, and for pictures that shall look like it.
@@ -15,6 +18,20 @@ struct SunLight {
 /// A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
 inline constexpr SunLight kLights[] = {
     {{0.6, -0.5, -0.5}, 1.0}, {{0.12, -0.3, 0.75}, 0.75}, {{-0.6, 0.45, -0.25}, 0.65}};
+
+/// Sum of all lights on a face with this normal (any length, plan axes: east, north, up), as one factor of its colour;
+/// what is shown is never above 1.
+inline double light_on(double east, double north, double up) {
+  double sum = 0;
+  for (const SunLight& light : kLights) {
+    const auto& way = light.direction;  // plan axes: x, -z, y
+    const double against = -(east * way[0] - north * way[2] + up * way[1]);
+    const double lengths =
+        (east * east + north * north + up * up) * (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    sum += light.intensity * std::max(0.0, against / std::sqrt(lengths));
+  }
+  return sum;
+}
 
 /// Sky: colours at these angles from straight up (the first: 0); ground: from straight down.
 inline constexpr double kSkyAngles[] = {0.9, 1.57}, kGroundAngles[] = {1.3, 1.57};

@@ -8,10 +8,13 @@
 #include <memory>
 #include <set>
 
+#include "city_db/boxes.hpp"
 #include "city_db/store.hpp"
 #include "cli/command.hpp"
 #include "cli/near_names.hpp"
+#include "cli/tiles.hpp"
 #include "httpd/static_files.hpp"
+#include "x3d_export/flyover_scene.hpp"
 #include "x3d_export/glb.hpp"
 #include "x3d_export/house_shell.hpp"
 #include "x3d_export/impostor_nodes.hpp"
@@ -20,7 +23,9 @@
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 #include "x3d_export/svg_map.hpp"
+#include "x3d_export/text.hpp"
 #include "x3d_export/tileset.hpp"
+#include "x3d_export/writers.hpp"
 
 namespace vicus::cli {
 namespace {
@@ -97,6 +102,23 @@ std::string stored_image(const CityReader& reader, const fs::path& city_file, co
   return std::move(image->body);
 }
 
+/// Which sectors there are, and their boxes in plan metres: the page finds ground to land on where no server answers.
+/// {"sectors": [[id, west, south, east, north], ...]}
+std::string plan_json(const City& city) {
+  std::string out = "{\"sectors\":[";
+  for (const auto& sector : city.sectors) {
+    const PlanBox box = box_of(sector.ground);
+    out += out.back() == '[' ? "\n" : ",\n";
+    out += "[\"" + sector.id + "\"";  // a plain id
+    for (const std::int32_t mm : {box.min.x, box.min.y, box.max.x, box.max.y}) {
+      out += ",";
+      append_number(out, metres(mm), 3);
+    }
+    out += "]";
+  }
+  return out + "\n]}\n";
+}
+
 /// The images that sectors refer to, as they are stored.
 void write_textures(const City& city, const fs::path& city_file, const fs::path& folder, Written& written) {
   const CityReader reader(city_file);
@@ -142,13 +164,22 @@ void write_root(const CityIndex& index, const Arguments& arguments, const fs::pa
   write_file(folder / (std::string("city") + suffix_of(format)), *text, written);
 }
 
-/// Everything a plain web server needs to show the city at its root: page, X_ITE, root worlds, sectors, records.
+/// What flying takes: the tiles that the city's file has, and the world that draws them.
+void write_tiles(const CityIndex& index, const fs::path& city_file, const fs::path& folder, Written& written) {
+  for (const Artefact& tile : stored_tiles(city_file)) write_file(folder / tile.path, tile.body, written);
+  write_file(folder / kFlyoverName, write_x3d(flyover_scene(source_of(index))), written);
+}
+
+/// Everything a plain web server needs to show the city at its root: page, X_ITE, root worlds, sectors, records, tiles,
+/// and where the sectors lie.
 void write_site(const CityIndex& index, const Arguments& arguments, const fs::path& folder, Written& written) {
   for (const auto format : {SceneFormat::x3d, SceneFormat::vrml}) {
     write_root(index, arguments, folder, format, false, written);
     write_sectors(index, folder, format, true, written);
   }
   write_textures(index.city(), arguments.city, folder, written);
+  write_tiles(index, arguments.city, folder, written);
+  write_file(folder / "plan.json", plan_json(index.city()), written);
   for (const auto& file : embedded_client_files()) {
     write_file(folder / "client" / file.path, file.bytes, written);
     if (file.path == "page/index.html") write_file(folder / "index.html", file.bytes, written);

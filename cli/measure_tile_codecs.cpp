@@ -91,17 +91,14 @@ class TileCodecs {
     for (const BakedBlockMap& tile : view.tiles) {
       BlockMap map = tile.map;
       bytes += static_cast<double>(brotli(encode_blockmap(map), kBrotli).size());
-      const auto put = [&](const RgbImage& image, std::string& to) {
-        if (image.rgb.empty()) return;
-        const Coded coded = codec(image);
+      TilePictures pictures = tile.pictures;
+      for (RgbImage* image : {&pictures.roof, &pictures.ground, &pictures.ambient, &pictures.wall}) {
+        if (image->rgb.empty()) continue;
+        Coded coded = codec(*image);
         bytes += static_cast<double>(coded.bytes);
-        to = encode_webp(coded.image, kLossless);  // the tile's reader knows no other form
-      };
-      put(tile.roof, map.roof_image);
-      put(tile.ground, map.ground_image);
-      put(tile.ambient, map.ambient_image);
-      put(tile.wall, map.wall_image);
-      casts.push_back(cast_tile(std::move(map)));
+        *image = std::move(coded.image);
+      }
+      casts.push_back(cast_tile(std::move(map), std::move(pictures)));
     }
     RenderMesh sheet;
     city_.add_sheet(sheet);

@@ -97,10 +97,9 @@ class TileForm : public Representation {
     return houses_[at] = city_.bake_scene().houses_in(tile_box(levels_, at)).size();
   }
 
-  MadeTile blockmap(const TileAddress& at, std::uint32_t cells, int quality) {
+  MadeTile blockmap(const TileAddress& at, std::uint32_t cells) {
     BlockMapOptions options;
     options.side = cells;
-    options.quality = quality;
     const std::string bytes = encode_blockmap(bake_blockmap(city_.bake_scene(), corner(at), side_mm(at), options));
     MadeTile tile;
     tile.bytes = brotli(bytes, kBrotli).size();
@@ -135,18 +134,12 @@ class TileForm : public Representation {
 
 class BlockMapTiles : public TileForm {
  public:
-  BlockMapTiles(SharedCity& city, std::uint32_t cells, double tau_px, int quality)
-      : TileForm(city,
-                 {"BlockMap+ " + std::to_string(cells) + (quality == 80 ? "" : ", WebP " + std::to_string(quality)),
-                  {},
-                  tau_px}),
-        cells_(cells),
-        quality_(quality) {}
+  BlockMapTiles(SharedCity& city, std::uint32_t cells, double tau_px)
+      : TileForm(city, {"BlockMap+ " + std::to_string(cells), {}, tau_px}), cells_(cells) {}
 
  private:
-  MadeTile make(const TileAddress& at) override { return blockmap(at, cells_, quality_); }
+  MadeTile make(const TileAddress& at) override { return blockmap(at, cells_); }
   std::uint32_t cells_;
-  int quality_;
 };
 
 class PaperTiles : public TileForm {
@@ -204,7 +197,7 @@ class ClientTiles : public TileForm {
   MadeTile make(const TileAddress& at) override {
     const std::size_t n = houses(at);
     const bool has_prisms = n > 0 && n <= kMostPrisms, has_blockmap = n >= kHousesWorth || at.z == 0;
-    if (!has_prisms || (has_blockmap && n > kMostPolygonHouses)) return blockmap(at, 128, 80);
+    if (!has_prisms || (has_blockmap && n > kMostPolygonHouses)) return blockmap(at, 128);
     return prisms(at);
   }
   bool draws_all_prisms() const override { return true; }
@@ -214,8 +207,8 @@ class ClientTiles : public TileForm {
 
 Form client_tiles(SharedCity& city, double tau_px) { return std::make_unique<ClientTiles>(city, tau_px); }
 Form prism_tiles(SharedCity& city, double tau_px) { return std::make_unique<PrismTiles>(city, tau_px); }
-Form blockmap_tiles(SharedCity& city, std::uint32_t cells, double tau_px, int quality) {
-  return std::make_unique<BlockMapTiles>(city, cells, tau_px, quality);
+Form blockmap_tiles(SharedCity& city, std::uint32_t cells, double tau_px) {
+  return std::make_unique<BlockMapTiles>(city, cells, tau_px);
 }
 Form paper_tiles(SharedCity& city, int year, std::uint32_t side, std::uint32_t columns, double tau_px) {
   return std::make_unique<PaperTiles>(city, year, side, columns, tau_px);

@@ -10,8 +10,8 @@ namespace vicus::measure {
 Form client_tiles(SharedCity& city, double tau_px);
 /// Prisms alone: they have houses, no ground.
 Form prism_tiles(SharedCity& city, double tau_px);
-/// Our BlockMaps of `cells` x `cells`, colours as WebP of `quality`; sent as brotli of the whole.
-Form blockmap_tiles(SharedCity& city, std::uint32_t cells, double tau_px, int quality = 80);
+/// Our BlockMaps of `cells` x `cells`; sent as brotli of the whole.
+Form blockmap_tiles(SharedCity& city, std::uint32_t cells, double tau_px);
 /// As published, 2007 or 2009. Their error is half the diagonal of a voxel, as the papers take it; sent in parts
 /// (paper_sent_bytes); shown without loss of colour.
 Form paper_tiles(SharedCity& city, int year, std::uint32_t side, std::uint32_t columns, double tau_px);

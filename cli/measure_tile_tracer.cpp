@@ -17,19 +17,17 @@ PlanBox box_of(PlanPoint corner, std::uint32_t side_mm) {
 
 class OurTile : public CastTile {
  public:
-  explicit OurTile(BlockMap map) : map_(std::move(map)), caster_(map_) {
-    auto colours = BlockMapColours::of(map_);
-    if (!colours) throw CityError("a tile's picture is damaged");
-    colours_ = std::make_unique<BlockMapColours>(std::move(*colours));
+  OurTile(BlockMap map, TilePictures pictures)
+      : map_(std::move(map)), caster_(map_), colours_(map_, std::move(pictures)) {
     box = box_of(map_.corner, map_.tile_side_mm);
   }
   CastHit cast(const PlanRay& ray, double before) const override { return caster_.cast(ray, before); }
-  HitLook look(const PlanRay& ray, const CastHit& hit) const override { return colours_->look(ray, hit); }
+  HitLook look(const PlanRay& ray, const CastHit& hit) const override { return colours_.look(ray, hit); }
 
  private:
   BlockMap map_;
   BlockMapCaster caster_;
-  std::unique_ptr<BlockMapColours> colours_;
+  BlockMapColours colours_;
 };
 
 class PaperTile : public CastTile {
@@ -70,7 +68,14 @@ PlanRay ray_of(const Vec3& from, const Vec3& way, double least) {
 
 }  // namespace
 
-std::shared_ptr<const CastTile> cast_tile(BlockMap map) { return std::make_shared<OurTile>(std::move(map)); }
+std::shared_ptr<const CastTile> cast_tile(BlockMap map) {
+  auto pictures = tile_pictures(map);
+  if (!pictures) throw CityError("a tile's picture is damaged");
+  return cast_tile(std::move(map), std::move(*pictures));
+}
+std::shared_ptr<const CastTile> cast_tile(BlockMap map, TilePictures pictures) {
+  return std::make_shared<OurTile>(std::move(map), std::move(pictures));
+}
 std::shared_ptr<const CastTile> cast_tile(PaperBlockMap map) { return std::make_shared<PaperTile>(std::move(map)); }
 
 TileTracer::TileTracer(std::vector<std::shared_ptr<const CastTile>> tiles, RenderMesh mesh)
@@ -96,7 +101,7 @@ std::optional<Tracer::Met> TileTracer::meet(const Vec3& from, const RaySample& s
   const HitLook look = found.tile->look(ray, found.hit);
   Vec3 normal{look.east, look.north, look.up};
   if (dot(normal, sample.way) > 0) normal = normal * -1;
-  const auto light = static_cast<float>(light_on(normal));
+  const auto light = look.is_lit ? 1.0f : static_cast<float>(light_on(normal));
   const auto channel = [&](std::uint8_t v) { return std::min(1.0f, static_cast<float>(v) / 255 * light); };
   return Met{found.hit.t + least, {channel(look.colour.r), channel(look.colour.g), channel(look.colour.b), 1}};
 }

@@ -23,6 +23,7 @@ class CastTile {
 
 /// Fails   CityError: a picture in it is damaged.
 std::shared_ptr<const CastTile> cast_tile(BlockMap map);
+std::shared_ptr<const CastTile> cast_tile(BlockMap map, TilePictures pictures);  ///< in place of its own
 std::shared_ptr<const CastTile> cast_tile(PaperBlockMap map);
 
 /// Differs light from the sky, which BlockMaps carry, is left out: the truth has none.

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "city_db/blockmap_layout.h"
 #include "city_db/byte_fields.hpp"
@@ -46,6 +47,18 @@ class PreviousTiles {
   std::optional<CityReader> reader_;
 };
 
+/// Of a path, plain; nullopt: it is not stored.   Fails   CityError: it is damaged.
+std::optional<Artefact> plain_artefact(const CityReader& reader, const std::filesystem::path& city,
+                                       const std::string& path) {
+  auto artefact = reader.artefact(path, {"identity", "br"});
+  if (!artefact || artefact->coding == "identity") return artefact;
+  auto bytes = unbrotli(artefact->body, kMostTile_bytes);
+  if (!bytes) throw CityError(city.string() + ": " + path + " is damaged: build the city again");
+  artefact->body = std::move(*bytes);
+  artefact->coding = "identity";
+  return artefact;
+}
+
 void note(TileEntry& entry, TileKind kind, const std::string& plain, std::size_t bytes_sent) {
   if (kind == TileKind::blockmap)
     entry.blockmap_error_mm = u32_at(plain, BLOCKMAP_ERROR_AT), entry.blockmap_bytes = bytes_sent;
@@ -82,6 +95,33 @@ std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& 
   std::vector<Artefact> out;
   for (auto& list : made) std::move(list.begin(), list.end(), std::back_inserter(out));
   out.push_back(stored(kTreePath, "application/json", tree_json(levels, entries), kBrotliQuality));
+  return out;
+}
+
+std::vector<Artefact> stored_tiles(const std::filesystem::path& city) {
+  const CityReader reader(city);
+  const auto tree = plain_artefact(reader, city, kTreePath);
+  if (!tree) return {};
+  std::vector<Artefact> out{*tree};
+  const auto damaged = [&] {
+    return CityError(city.string() + ": " + kTreePath + " is damaged: build the city again");
+  };
+  const auto list = nlohmann::json::parse(tree->body, nullptr, false);
+  if (!list.is_object() || !list.contains("tiles") || !list["tiles"].is_array()) throw damaged();
+  constexpr std::size_t kFields = 9, kBlockMapError = 4, kPrismError = 6;  // of tree_json
+  for (const auto& tile : list["tiles"]) {
+    if (!tile.is_array() || tile.size() != kFields) throw damaged();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!tile[i].is_number_unsigned()) throw damaged();
+    const TileAddress at{tile[0].get<int>(), tile[1].get<std::uint32_t>(), tile[2].get<std::uint32_t>()};
+    for (const TileKind kind : kTileKinds) {
+      if (kind == TileKind::blockmap && tile[kBlockMapError].is_null()) continue;
+      if (kind == TileKind::prisms && tile[kPrismError].is_null()) continue;
+      auto found = plain_artefact(reader, city, tile_path(at, kind));
+      if (!found) throw CityError(city.string() + " lacks " + tile_path(at, kind) + ": build the city again");
+      out.push_back(std::move(*found));
+    }
+  }
   return out;
 }
 

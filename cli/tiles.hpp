@@ -15,6 +15,10 @@ namespace vicus::cli {
 /// that is replaced (`previous`, which need not exist) is taken over where nothing in it has changed.
 std::vector<Artefact> bake_tiles(const City& city, const std::filesystem::path& previous, unsigned threads);
 
+/// What the city's file has of them, plain: the list, and every tile on it. Empty where it was built without tiles.
+/// Fails   CityError: the list or a tile on it is damaged or missing.
+std::vector<Artefact> stored_tiles(const std::filesystem::path& city);
+
 /// One after the other.
 std::function<std::optional<Artefact>()> followed_by(std::function<std::optional<Artefact>()> first,
                                                      std::vector<Artefact> then);

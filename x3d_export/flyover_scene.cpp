@@ -38,8 +38,8 @@ Node shader_part(const char* type, const std::string& url) {
   return part.set("type", type).set("url", std::vector<std::string>{url});
 }
 
-/// `name`: of its two parts' files.
-Node shader_node(const char* def, const std::string& name, double half_m) {
+/// `name`: of its two parts' files. `is_lit`: its colours have the light in them.
+Node shader_node(const char* def, const std::string& name, double half_m, bool is_lit) {
   std::vector<double> directions, intensities;
   for (const SunLight& light : kLights) {
     directions.insert(directions.end(), std::begin(light.direction), std::end(light.direction));
@@ -47,12 +47,14 @@ Node shader_node(const char* def, const std::string& name, double half_m) {
   }
   Node shader("ComposedShader", def);
   shader.set("language", "GLSL");
-  shader.interface = {
-      field("lightDirections", FieldType::mf_vec3f, directions),
-      field("lightIntensities", FieldType::mf_float, intensities),
+  if (!is_lit)
+    shader.interface = {field("lightDirections", FieldType::mf_vec3f, directions),
+                        field("lightIntensities", FieldType::mf_float, intensities)};
+  const ScriptField haze[] = {
       field("hazeColour", FieldType::sf_color,
             std::vector<double>{kSkyColour.r / 255.0, kSkyColour.g / 255.0, kSkyColour.b / 255.0}),
       field("hazeDistance", FieldType::sf_float, std::vector<double>{std::max(kLeastHaze_m, 3 * half_m)})};
+  shader.interface.insert(shader.interface.end(), std::begin(haze), std::end(haze));
   shader.add("parts", shader_part("VERTEX", "client/x3d/" + name + ".vert"));
   return shader.add("parts", shader_part("FRAGMENT", "client/x3d/" + name + ".frag"));
 }
@@ -76,8 +78,8 @@ Scene flyover_scene(const RecordSource& source) {
   view.set("orientation", std::vector<double>{1, 0, 0, -std::atan2(kUp, kBack)});
   scene.nodes.push_back(view.set("fieldOfView", kFieldOfView));
   // Shapes that draw nothing bring the shaders; each tile's Appearance uses one: one program for all of a kind.
-  const Node shaders[] = {shader_node("TILE_SHADER", "flyover", half_m),
-                          shader_node("BLOCKMAP_SHADER", "blockmap", half_m)};
+  const Node shaders[] = {shader_node("TILE_SHADER", "flyover", half_m, false),
+                          shader_node("BLOCKMAP_SHADER", "blockmap", half_m, true)};
   for (const Node& shader : shaders) {
     Node look("Appearance"), sample("Shape");
     scene.nodes.push_back(sample.add("appearance", look.add("shaders", shader)));

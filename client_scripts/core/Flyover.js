@@ -18,18 +18,18 @@ const kMostBytes = 192e6, kFull = 0.8;
  * setState(making, quadrant, state of TileFades), hide(making, quadrant), drop(making); surround(mesh of the root), showSurroundings(isShown).
  */
 export class Flyover {
-    constructor({ tree, load, stage, pixels = 2, form = 'prisms', hasBlockMaps = true, mostBytes = kMostBytes, mostInFlight = 6, complain }) {
+    constructor({ tree, load, stage, pixels = 2, form = 'prisms', mostBytes = kMostBytes, mostInFlight = 6, complain }) {
         this.tree = new TileTree(tree);
         this.requests = new TileRequests({ load: (tile, signal) => load(tile, signal, this.formOf(tile)), arrived: (tile, mesh) => this.arrive(tile, mesh), mostInFlight, complain });
-        Object.assign(this, { stage, pixels, form, hasBlockMaps, mostBytes, kept: new Map(), making: [], bytes: 0, fades: new TileFades(),
+        Object.assign(this, { stage, pixels, form, mostBytes, kept: new Map(), making: [], bytes: 0, fades: new TileFades(),
             heights: new RoofHeights(), refined: new Set(), isShown: true, arrivals: 0, strain: 1, chosen: { draw: [], ask: [] }, now: 0 });
         this.figures = { files: 0, sentBytes: 0, firstAt: null };
     }
 
-    /** What a tile is drawn as: as wanted where it is sent as that and `load` knows it; a BlockMap also where there are too many houses for prisms. */
+    /** What a tile is drawn as: as wanted where it is sent as that; a BlockMap also where there are too many houses for prisms. */
     formOf({ prismError, blockMapError, houses }) {
         const wantsIt = this.form === 'blockMap' || (prismError === null && houses > 0);
-        return this.hasBlockMaps && wantsIt && blockMapError !== null ? 'blockMap' : 'prisms';
+        return wantsIt && blockMapError !== null ? 'blockMap' : 'prisms';
     }
 
     /** Another form: everything is fetched again, as it is needed. */

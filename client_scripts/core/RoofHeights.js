@@ -38,6 +38,17 @@ export class RoofHeights {
         return top;
     }
 
+    /** m above 0 of the highest house that stands at a place; -Infinity: none. */
+    top([east, north]) {
+        const mesh = this.finest(east, north);
+        let top = -Infinity;
+        mesh?.outlines?.forEach((edges, i) => {
+            const [west, south, e, n, up] = mesh.roofs.subarray(5 * i, 5 * i + 5);
+            if (up > top && east >= west && east <= e && north >= south && north <= n && isWithin(edges, east, north)) top = up;
+        });
+        return top;
+    }
+
     finest(east, north) {
         let best = null;
         for (const mesh of this.tiles.values()) {
@@ -46,4 +57,13 @@ export class RoofHeights {
         }
         return best;
     }
+}
+
+function isWithin(edges, x, y) {
+    let inside = false;
+    for (let i = 0; i < edges.length; i += 4) {
+        const [ax, ay, bx, by] = edges.subarray(i, i + 4);
+        if ((ay > y) !== (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) inside = !inside;
+    }
+    return inside;
 }

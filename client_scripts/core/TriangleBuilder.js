@@ -23,9 +23,14 @@ export class TriangleBuilder {
 
     /** A flat convex face, corners counter-clockwise as seen from its front. Faces without area are left out. */
     face(positions, colour, places) {
+        this.shadedFace(positions, positions.map(() => colour), places);
+    }
+
+    /** The same with a colour for each corner. */
+    shadedFace(positions, colours, places) {
         const normal = normalOf(positions);
         if (!normal) return;
-        const numbers = positions.map((position, i) => this.corner(position, normal, colour, places[i]));
+        const numbers = positions.map((position, i) => this.corner(position, normal, colours[i], places[i]));
         for (let i = 2; i < numbers.length; ++i) this.triangle(numbers[0], numbers[i - 1], numbers[i]);
     }
 

@@ -45,8 +45,8 @@ function firstColumns(bits, n) {
 }
 
 /**
- * A BlockMap+ (city_db/FORMAT.md): header and planes as typed arrays, the columns counted, the four pictures as the bytes of
- * their WebP. `layout`: of blockmap_layout.h. Throws an Error that says what is wrong with the bytes.
+ * A BlockMap+ (city_db/FORMAT.md): header and planes as typed arrays, the columns counted, the four pictures as bytes
+ * (indexedPicture.js). `layout`: of blockmap_layout.h. Throws an Error that says what is wrong with the bytes.
  */
 export function decodeBlockMap(bytes, layout) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -55,7 +55,14 @@ export function decodeBlockMap(bytes, layout) {
     if (view.getUint16(layout.BLOCKMAP_VERSION_AT, true) !== layout.BLOCKMAP_VERSION)
         throw new Error('a BlockMap of another version: load the page again');
     const side = view.getUint16(layout.BLOCKMAP_SIDE_AT, true), cells = side * side;
-    let at = layout.BLOCKMAP_HEADER_BYTES + layout.BLOCKMAP_PLANES * cells;
+    const linesAt = layout.BLOCKMAP_HEADER_BYTES + layout.BLOCKMAP_PLANES * cells;
+    if (bytes.length < linesAt) throw new Error(`BlockMap: expected ${linesAt} bytes and more, found ${bytes.length}`);
+    const plane = which => {
+        const begin = layout.BLOCKMAP_HEADER_BYTES + which * cells;
+        return bytes.subarray(begin, begin + cells);
+    };
+    const offset = plane(layout.BLOCKMAP_PLANE_OFFSET), lines = offset.reduce((sum, value) => sum + (value !== 0), 0);
+    let at = linesAt + layout.BLOCKMAP_LINE_BYTES * lines;
     const pictures = [layout.BLOCKMAP_ROOF_BYTES_AT, layout.BLOCKMAP_GROUND_BYTES_AT, layout.BLOCKMAP_AMBIENT_BYTES_AT,
         layout.BLOCKMAP_WALL_BYTES_AT].map(field => {
         const length = view.getUint32(field, true);
@@ -63,10 +70,12 @@ export function decodeBlockMap(bytes, layout) {
         return bytes.subarray(at - length, at);
     });
     if (at !== bytes.length) throw new Error(`BlockMap: expected ${at} bytes, found ${bytes.length}`);
-    const plane = which => {
-        const begin = layout.BLOCKMAP_HEADER_BYTES + which * cells;
-        return bytes.subarray(begin, begin + cells);
+    const ofLines = (which, Type) => {   // 0 where there is no line
+        const out = new Type(cells);
+        for (let i = 0, line = linesAt + which * lines; i < cells; ++i) if (offset[i]) out[i] = bytes[line++];
+        return out;
     };
+    const footLow = ofLines(layout.BLOCKMAP_LINE_FOOT_LOW, Uint16Array);
     const wide = (high, low) => {
         const [h, l] = [plane(high), plane(low)];
         return Uint16Array.from(h, (value, i) => value * 256 + l[i]);
@@ -84,11 +93,11 @@ export function decodeBlockMap(bytes, layout) {
         error: view.getUint32(layout.BLOCKMAP_ERROR_AT, true) / 1000,
         top: view.getUint32(layout.BLOCKMAP_TOP_AT, true),
         height: wide(layout.BLOCKMAP_PLANE_HEIGHT_HIGH, layout.BLOCKMAP_PLANE_HEIGHT_LOW),
-        foot: wide(layout.BLOCKMAP_PLANE_FOOT_HIGH, layout.BLOCKMAP_PLANE_FOOT_LOW),
+        foot: ofLines(layout.BLOCKMAP_LINE_FOOT_HIGH, Uint16Array).map((high, i) => high * 256 + footLow[i]),
         slopeEast: plane(layout.BLOCKMAP_PLANE_SLOPE_EAST),
         slopeNorth: plane(layout.BLOCKMAP_PLANE_SLOPE_NORTH),
-        angle: plane(layout.BLOCKMAP_PLANE_ANGLE),
-        offset: plane(layout.BLOCKMAP_PLANE_OFFSET),
+        angle: ofLines(layout.BLOCKMAP_LINE_ANGLE, Uint8Array),
+        offset,
         roof: pictures[0], ground: pictures[1], ambient: pictures[2], wall: pictures[3],
     };
     map.walls = wallBits(map, layout);

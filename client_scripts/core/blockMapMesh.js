@@ -1,9 +1,18 @@
 import { TriangleBuilder } from './TriangleBuilder.js';
+import { blockMapPictures } from './indexedPicture.js';
+import { blockMapTexture } from './blockMapTexture.js';
+import { decodeBlockMap } from './blockMap.js';
 
 /** Of the side: boxes overlap so much, that a ray between two of them is cast in one; the shader keeps to its quadrant. */
 const kOverlap = 1 / 1000;
 /** Bytes of a texel of the texture, and of what goes with each box. */
-const kTexelBytes = 4, kBoxBytes = 4000;
+const kImageTexelBytes = 4, kBoxBytes = 4000;
+
+/** A BlockMap made ready to draw from what the server sends. `layout`: of blockmap_layout.h. */
+export function blockMapTile(bytes, layout) {
+    const map = decodeBlockMap(bytes, layout);
+    return blockMapMesh(map, blockMapTexture(map, blockMapPictures(map, layout), layout));
+}
 
 /**
  * A BlockMap made ready to draw: four boxes that the shader casts rays into, one for each quadrant, over the base plane; and
@@ -19,8 +28,8 @@ export function blockMapMesh(map, image) {
     });
     const rim = [base(0, 0), base(side, 0), base(0, side), base(side, side)];
     const heights = Float64Array.from({ length: 9 }, (_, i) => base((i % 3) * side / 2, Math.floor(i / 3) * side / 2));
-    return { corner: map.corner, side, error: map.error, parts, image, roofs: new Float32Array(0),
-        range: [Math.min(...rim), Math.max(...rim) + top], heights, nodes: 3, bytes: kTexelBytes * image.pixels.length + 4 * kBoxBytes };
+    return { corner: map.corner, side, error: map.error, parts, image, roofs: new Float32Array(0), outlines: [],
+        range: [Math.min(...rim), Math.max(...rim) + top], heights, nodes: 3, bytes: kImageTexelBytes * image.pixels.length + 4 * kBoxBytes };
 }
 
 /** The six faces seen from inside: the eye may be in the box. `place`: which quadrant. */

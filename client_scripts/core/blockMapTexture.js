@@ -26,7 +26,7 @@ export function blockMapTexture(map, pictures, layout) {
     const half = n / 2;
     for (let row = 0, cell = 0; row < n; ++row)
         for (let column = 0; column < n; ++column, ++cell) {
-            const halfRow = half - 1 - (row >> 1), ambient = pictures.ambient ? pictures.ambient[4 * (halfRow * half + (column >> 1))] : 255;
+            const halfRow = half - 1 - (row >> 1), ambient = pictures.ambient ? smoothAmbient(pictures.ambient, half, column, n - 1 - row) : 255;
             pixels[at(0) + cell] = (map.height[cell] << 16 | map.foot[cell]) >>> 0;
             pixels[at(1) + cell] = (map.slopeEast[cell] << 24 | map.slopeNorth[cell] << 16 | map.angle[cell] << 8 | map.offset[cell]) >>> 0;
             pixels[at(2) + cell] = (map.firstColumn[cell] << 8 | map.walls[cell]) >>> 0;
@@ -43,6 +43,14 @@ export function blockMapTexture(map, pictures, layout) {
             pixels[walls + column * rows + row] = rgb(pictures.wall, wide, x, (strip + 1) * rows - 1 - row);
     }
     return { width: kTextureWidth, height, pixels };
+}
+
+/** At a cell's middle, between the four nearest texels of half as many: light has no edges. */
+function smoothAmbient(picture, half, column, row) {
+    const near = i => i >> 1, beside = i => Math.min(half - 1, Math.max(0, near(i) + (i % 2 ? 1 : -1)));
+    const at = (x, y) => picture[4 * (y * half + x)];
+    const across = y => 3 * at(near(column), y) + at(beside(column), y);
+    return Math.round((3 * across(near(row)) + across(beside(row))) / 16);
 }
 
 /** Greatest heights in steps of 1, 2 x 2, 4 x 4 ... cells, each level row by row, one after the other. */

@@ -4,8 +4,11 @@ import { triangulate } from './triangulate.js';
 const kBelow = 2;
 /** m: a window and the wall around it; walls shorter than kBlind have none. */
 const kWindowWidth = 2.7, kStorey = 3.1, kBlind = 2.2;
-/** What a corner is, as the fourth number of its colour; the shader has the same (x3d/flyover.frag). */
-export const kSurfaces = { roof: 0, wall: 0.5, ground: 1 };
+/**
+ * What a corner is, as the fourth number of its colour; the shader has the same (x3d/flyover.frag). Of a wall it also says how
+ * much sky is seen: little at the foot, all at the eave.
+ */
+export const kSurfaces = { roof: 0, foot: 0.35, wall: 0.65, ground: 1 };
 
 const middle = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 const between = (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
@@ -13,6 +16,9 @@ const length = (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1]);
 /** X3D's axes: x = east, y = up, z = -north. */
 const at = ([east, north], up) => [east, up, -north];
 const linear = (colour, surface) => [...colour.map(value => value / 255), surface];
+/** m: walls so high are as dark at their foot as any; lower ones see more sky. */
+const kDeep = 15;
+const footOf = height => kSurfaces.wall + (kSurfaces.foot - kSurfaces.wall) * Math.min(1, height / kDeep);
 
 /** Adds the faces of a house (of decodePrisms) to a TriangleBuilder, metres from the tile's corner. */
 export function addPrism(builder, house, layout) {
@@ -24,13 +30,13 @@ export function addPrism(builder, house, layout) {
 }
 
 function addWalls(builder, { rings, ground, eave, wall }) {
-    const colour = linear(wall, kSurfaces.wall), low = ground - kBelow, height = eave - ground;
+    const low = ground - kBelow, height = eave - ground, dark = linear(wall, footOf(height)), light = linear(wall, kSurfaces.wall);
     const storeys = Math.max(1, Math.round(height / kStorey)), foot = -kBelow / height * storeys;
     for (const ring of rings)
         ring.forEach((a, i) => {
             const b = ring[(i + 1) % ring.length], wide = length(a, b);
             const windows = wide < kBlind || height < kBlind ? 0 : Math.max(1, Math.round(wide / kWindowWidth));
-            builder.face([at(a, low), at(b, low), at(b, eave), at(a, eave)], colour,
+            builder.shadedFace([at(a, low), at(b, low), at(b, eave), at(a, eave)], [dark, dark, light, light],
                 [[0, foot], [windows, foot], [windows, storeys], [0, storeys]]);
         });
 }

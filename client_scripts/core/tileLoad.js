@@ -1,3 +1,4 @@
+import { blockMapTile } from './blockMapMesh.js';
 import { readLayout } from './readLayout.js';
 import { tileMesh } from './tileMesh.js';
 
@@ -36,5 +37,10 @@ export function tileLoader(base, prepare, request = (url, options) => fetch(url,
     };
 }
 
+/** What is drawn of { prisms, ground } or { blockMap }, bytes as they are sent. */
+export function readyTile(tile, layouts) {
+    return tile.blockMap ? blockMapTile(tile.blockMap, layouts.blockMap) : tileMesh(tile, layouts);
+}
+
 /** A prepare that does it here and now. */
-export const prepareHere = layouts => async tile => tileMesh(tile, layouts);
+export const prepareHere = layouts => async tile => readyTile(tile, layouts);

@@ -13,7 +13,7 @@ const kCornerBytes = 4 * (4 + 3 + 4 + 4), kTexelBytes = 4 * 4 / 3;
  *
  * { corner, side, error, parts: [{ positions, normals, colours, places, indices }], picture, roofs, range, bytes }: metres
  * from the corner, X3D's axes; `roofs`: west, south, east, north, top of each house that reaches into the tile, plan
- * metres; `range`: lowest and highest point; `bytes`: what it takes to keep it.
+ * metres; `outlines`: the edges of each; `range`: lowest and highest point; `bytes`: what it takes to keep it.
  */
 export function tileMesh({ prisms, ground }, layouts) {
     const base = decodeGround(ground, layouts.ground), tile = prisms ? decodePrisms(prisms, layouts.prisms) : { houses: [], error: 0 };
@@ -25,10 +25,11 @@ export function tileMesh({ prisms, ground }, layouts) {
     for (const house of tile.houses) if (house.owned) addPrism(builders[house.quadrant], house, layouts.prisms);
     const parts = builders.map(builder => builder.build());
     const roofs = Float32Array.from(tile.houses.flatMap(house => roofOf(house, base.corner)));
+    const outlines = tile.houses.map(house => outlineOf(house, base.corner));
     const range = [Math.min(...base.heights), tile.houses.reduce((top, house) => Math.max(top, house.top), Math.max(...base.heights))];
     const corners = parts.reduce((sum, { indices }) => sum + indices.length, 0);
-    return { corner: base.corner, side: base.side, error: tile.error, parts, picture: base.picture, roofs, range,
-        heights: base.heights, nodes: base.nodes, bytes: kCornerBytes * corners + kTexelBytes * 256 * 256 };
+    return { corner: base.corner, side: base.side, error: tile.error, parts, picture: base.picture, roofs, outlines, range,
+        heights: base.heights, nodes: base.nodes, bytes: kCornerBytes * corners + kTexelBytes * 256 * 256 + outlines.reduce((sum, { byteLength }) => sum + byteLength, 0) };
 }
 
 function roofOf({ rings: [ring], top }, [east, north]) {
@@ -36,7 +37,15 @@ function roofOf({ rings: [ring], top }, [east, north]) {
     return [east + Math.min(...x), north + Math.min(...y), east + Math.max(...x), north + Math.max(...y), top];
 }
 
+/** Of each edge of a house: its two ends, plan metres. */
+function outlineOf({ rings }, [east, north]) {
+    return Float32Array.from(rings.flatMap(ring => ring.flatMap(([x, y], i) => {
+        const [u, v] = ring[(i + 1) % ring.length];
+        return [east + x, north + y, east + u, north + v];
+    })));
+}
+
 /** What must move, not be copied, when a worker hands a tile over. */
-export function buffersOf({ parts, roofs, heights, picture, image }) {
-    return [...parts.flatMap(part => Object.values(part).map(array => array.buffer)), roofs.buffer, heights.buffer, (picture ?? image.pixels).buffer];
+export function buffersOf({ parts, roofs, outlines, heights, picture, image }) {
+    return [...outlines.map(({ buffer }) => buffer), ...parts.flatMap(part => Object.values(part).map(array => array.buffer)), roofs.buffer, heights.buffer, (picture ?? image.pixels).buffer];
 }

@@ -7,18 +7,18 @@ const kCollections = { sectors: sectorOf, houses: houseOf };
 
 /**
  * The city in plan, for the map and the document: sectors and houses out of /collections, fetched in cells around the
- * visitor, and sectors out of the records that are there. A site without a server has the latter alone.
+ * visitor, and sectors out of the records that are there. A site without a server has sectors alone: plan.json says
+ * where they lie, their records the rest.
  *
  * Frame   plan metres. `version` grows when something has come.
  */
 export class CityPlan {
     constructor(degrees, { request = url => fetch(url) } = {}) {
-        Object.assign(this, { degrees, request, sectors: new Map(), houses: new Map(), cells: new Map(), version: 0 });
+        Object.assign(this, { degrees, request, sectors: new Map(), houses: new Map(), cells: new Map(), site: null, version: 0 });
     }
 
     /** Fetches what is missing within `reach` metres. */
     around(east, north, reach) {
-        if (!this.degrees) return;
         for (let i = Math.floor((east - reach) / kCell); i <= Math.floor((east + reach) / kCell); ++i)
             for (let j = Math.floor((north - reach) / kCell); j <= Math.floor((north + reach) / kCell); ++j) {
                 const key = `${i},${j}`;
@@ -33,13 +33,42 @@ export class CityPlan {
     }
 
     async fetchCell(i, j) {
+        if (!this.site) {
+            const isServed = this.degrees && await this.fetchCollections(i, j).then(() => true, () => false);
+            if (isServed) return;
+            this.site ??= this.fetchSite();
+        }
+        await this.fetchRecords(await this.site, [i * kCell, j * kCell, (i + 1) * kCell, (j + 1) * kCell]);
+    }
+
+    /** [[id, west, south, east, north], ...] of a site without a server. */
+    async fetchSite() {
+        try {
+            return (await this.fetchJson('/plan.json')).sectors;
+        } catch (error) {
+            this.site = null;   // a server that did not answer, perhaps: its collections are asked for again
+            throw error;
+        }
+    }
+
+    async fetchRecords(sectors, [west, south, east, north]) {
+        const inside = sectors.filter(([id, w, s, e, n]) => !this.sectors.has(id) && w <= east && e >= west && s <= north && n >= south);
+        for (const record of await Promise.all(inside.map(([id]) => this.fetchJson(`/sectors/${id}.json`)))) this.addRecord(record);
+    }
+
+    async fetchJson(url) {
+        const response = await this.request(url);
+        if (!response.ok) throw new Error(`${url}: ${response.status}`);
+        return response.json();
+    }
+
+    async fetchCollections(i, j) {
         const [lat, lon] = this.degrees, width = kMetresPerDegree * Math.cos(lat * Math.PI / 180);
         const corner = (column, row) => [lon + column * kCell / width, lat + row * kCell / kMetresPerDegree];
         const box = [...corner(i, j), ...corner(i + 1, j + 1)];
         for (const [name, read] of Object.entries(kCollections)) {
-            const response = await this.request(`/collections/${name}/items?limit=10000&bbox=${box.map(v => v.toFixed(6))}`);
-            if (!response.ok) throw new Error(`${name}: ${response.status}`);
-            for (const feature of (await response.json()).features)
+            const { features } = await this.fetchJson(`/collections/${name}/items?limit=10000&bbox=${box.map(v => v.toFixed(6))}`);
+            for (const feature of features)
                 if (!this[name].has(feature.id)) this[name].set(feature.id, read(feature, this.degrees));
         }
         ++this.version;

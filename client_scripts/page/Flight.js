@@ -14,6 +14,8 @@ const kEye = 1.7;
 const kReaches = [80, 400, 1200];
 /** m: who glides farther rises on the way by this share of it. */
 const kFar = 500, kArch = 0.25;
+/** m: ground that was clicked so near is landed on; what is farther is flown to first, so near, and looked at so. */
+const kLandWithin = 500, kNearest = 60, kNearer = 0.45, kLook = -0.5;
 const fetchParts = () => import('./flightParts.js');
 /** Pixels of error on screen, by the settings. */
 export const kDetails = { coarse: 4, medium: 2, fine: 1 };
@@ -80,7 +82,8 @@ export class Flight {
             if (!response.ok) throw new Error('This city was built without tiles: it cannot be flown over. Build it again with `vicus build`.');
             return response;
         };
-        const { Flyover, Flyer, TileWorkshop, fetchLayouts, tileLoader } = await fetchParts();
+        this.parts = await fetchParts();
+        const { Flyover, Flyer, TileWorkshop, fetchLayouts, tileLoader } = this.parts;
         const [tree, world, layouts] = await Promise.all([
             get('/blockmaps/tree.json').then(response => response.json()), get('/flyover.x3d').then(response => response.text()),
             fetchLayouts('/client/layout/')]);
@@ -148,6 +151,24 @@ export class Flight {
             heading, pitch: -Math.atan2(kAbove, kAway) });
     }
 
+    /**
+     * A click: to the ground that is near, else nearer to what was clicked. `spot`: in CSS pixels of `surface`. False: it shows the sky.
+     */
+    tap([x, y], { clientWidth: width, clientHeight: height }) {
+        if (this.phase !== 'flying') return false;
+        const found = this.parts.placeBelow(this.eye(), [2 * x / width - 1, 1 - 2 * y / height], this.flyover.heights);
+        if (!found) return false;
+        if (!found.isRoof && found.away < kLandWithin) this.land(found.point);
+        else this.approach(found);
+        return true;
+    }
+
+    approach({ point: [east, north], up, away }) {
+        const from = this.view.pose(), course = Math.atan2(east - from.east, north - from.north), left = Math.max(kNearest, kNearer * away);
+        const back = left * Math.cos(kLook);
+        this.flyTo({ east: east - back * Math.sin(course), north: north - back * Math.cos(course), up: up - left * Math.sin(kLook), heading: course, pitch: kLook });
+    }
+
     /** All of the city. */
     async overview() {
         await this.prepare().catch(() => {});
@@ -161,10 +182,10 @@ export class Flight {
         return this.isUp ? this.land() : this.rise();
     }
 
-    /** Down to the ground below, or to the nearest there is, at the same place and heading. */
-    async land() {
+    /** Down to the ground below, or at `place`, or to the nearest there is, at the same heading. */
+    async land(place = null) {
         if (this.phase !== 'flying') return;
-        const { east, north, heading } = this.view.pose();
+        const pose = this.view.pose(), { heading } = pose, [east, north] = place ?? [pose.east, pose.north];
         this.glide = null;
         this.phase = 'landing';
         try {

@@ -44,7 +44,8 @@ async function start() {
     if (place.pose?.up !== undefined) await flight.startAt({ ...visit.homePose, ...place.pose });
     else if (place.pose) view.setPose({ ...visit.homePose, ...place.pose });
     const commands = commandsFor(parts);
-    const tap = (spot, event) => flight.isUp || view.tap(event) || travel.walkTo(spot, byId('window'), byId('goal'));
+    const walkTo = spot => travel.walkTo(spot, byId('window'), byId('goal'));
+    const tap = (spot, event) => (flight.isUp ? flight.tap(spot, byId('window')) : view.tap(event) || walkTo(spot));
     parts.controls = new Controls(byId('window'), byId('stick'), commands, tap);
     parts.heights = new StepButtons(byId('heights'), { overview: commands.KeyT });
     parts.pad = new StepButtons(byId('pad'), { level: () => view.setPose({ ...view.pose(), pitch: 0 }) });

@@ -7,8 +7,6 @@ struct Fade { vec3 diffuseColor; };   // red: 0 not there, 0.5 there, 1 gone (co
 uniform Fade x3d_Material;
 uniform mat4 x3d_ModelViewMatrix, x3d_ProjectionMatrix;
 uniform sampler2D x3d_Texture2D[1];
-uniform vec3 lightDirections[3];
-uniform float lightIntensities[3];
 uniform vec3 hazeColour;
 uniform float hazeDistance;
 uniform ivec4 x3d_Viewport;
@@ -17,6 +15,7 @@ flat in vec2 quadrant;
 flat in float header[14];
 out vec4 pixel;
 
+const float kDarkest = 0.45;   // of the light where no sky is seen: what walls reflect
 const int kHeader = 16, kMostSteps = 600;
 const int kEast = 1, kNorth = 2, kWest = 4, kSouth = 8, kLine = 16;   // WallBit
 int side;          // cells
@@ -189,14 +188,12 @@ void main() {
 
     vec3 p = o + d * at;
     vec2 within = p.xy - vec2(c) - 0.5;
-    vec2 lie = slope + vec2(cell.east, cell.north);
-    vec3 normal = normalize(vec3(-lie, 1.0)), own = colourOf(texel(cellTexel(3, c)));
+    vec3 own = colourOf(texel(cellTexel(3, c)));   // as the world's lights show it
     float ambient = ambientAt(c);
     int walls = int(texel(cellTexel(2, c)).a), wall = 0;
     ivec2 wallCell = c, aside = face == kEast ? ivec2(1, 0) : face == kNorth ? ivec2(0, 1) : face == kWest ? ivec2(-1, 0) : ivec2(0, -1);
     if (hit == kFoot) {
         own = colourOf(texel(cellTexel(4, c)));
-        normal = normalize(vec3(-slope, 1.0));
     } else if (hit == kOnLine && (walls & kLine) != 0) {
         wall = kLine;
     } else if (hit == kOnSide) {
@@ -224,15 +221,12 @@ void main() {
             }
         }
         own = wallColour(wallCell, wall, p.z, bottom, height);
-        normal = vec3(outwards, 0.0);
         float foot = ambientAt(wallCell + ivec2(round(2.0 * outwards)));
         ambient = mix(foot, 1.0, clamp((p.z - bottom) / max(height - bottom, stepM), 0.0, 1.0));
     }
-    vec3 n = vec3(normal.x, normal.z, -normal.y), place = eye + at * ray;
-    float light = 0.0;
-    for (int i = 0; i < 3; ++i) light += lightIntensities[i] * max(0.0, -dot(n, normalize(lightDirections[i])));
+    vec3 place = eye + at * ray;
     vec4 seen = x3d_ModelViewMatrix * vec4(place, 1.0), clip = x3d_ProjectionMatrix * seen;
     float haze = 1.0 - exp(-dot(seen.xyz, seen.xyz) / (hazeDistance * hazeDistance));
-    pixel = vec4(mix(own * light * mix(0.45, 1.0, ambient), hazeColour, haze), 1.0);
+    pixel = vec4(mix(own * mix(kDarkest, 1.0, ambient), hazeColour, haze), 1.0);
     gl_FragDepth = 0.5 * clip.z / clip.w + 0.5;
 }

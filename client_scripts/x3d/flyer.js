@@ -22,7 +22,7 @@ async function start() {
     const pictures = { open: bytes => URL.createObjectURL(new Blob([bytes], { type: 'image/webp' })), close: address => URL.revokeObjectURL(address) };
     const types = { MFInt32, MFNode, MFString, SFColor, SFImage, SFVec3f }, scene = Browser.currentScene;
     const stage = new TileShapes({ scene, group: world, shaders: { tiles: shaders[0], blockMaps: shaders[1] }, types, pictures, beyond: formats.ground.GROUND_BEYOND_CITY });
-    flyover = new Flyover({ tree, stage, hasBlockMaps: false, load: tileLoader(absolute(base), prepareHere(formats)), complain: text => Browser.println(text) });
+    flyover = new Flyover({ tree, stage, load: tileLoader(absolute(base), prepareHere(formats)), complain: text => Browser.println(text) });
 }
 
 async function fetchTree(url) {

@@ -13,6 +13,8 @@ in vec3 fromEye;
 in float light;
 out vec4 pixel;
 
+/// Of a wall: what its corners say (core/prismMesh.js, kSurfaces), and the light at its foot in a street.
+const float kFoot = 0.35, kEave = 0.65, kDarkest = 0.62;
 const vec3 kGlass = vec3(0.27, 0.31, 0.36);
 const vec2 kWindowLow = vec2(0.29, 0.3), kWindowHigh = vec2(0.71, 0.84);   // of a pattern's cell
 
@@ -35,13 +37,15 @@ void main() {
     float state = x3d_Material.diffuseColor.r, threshold = dither(ivec2(gl_FragCoord.xy) & 7);
     if (state <= 0.5 ? threshold > 2.0 * state : threshold < 2.0 * state - 1.0) discard;
     vec3 own = colour.rgb;
+    float sky = 1.0;
     vec2 wide = max(fwidth(place), vec2(1e-4));
     if (colour.a > 0.75) {
         own = texture(x3d_Texture2D[0], place).rgb;
     } else if (colour.a > 0.25) {
         vec2 share = windows(place, wide);
         own = mix(own, kGlass, 0.8 * share.x * share.y);
+        sky = mix(kDarkest, 1.0, clamp((colour.a - kFoot) / (kEave - kFoot), 0.0, 1.0));
     }
     float haze = 1.0 - exp(-dot(fromEye, fromEye) / (hazeDistance * hazeDistance));
-    pixel = vec4(mix(own * light, hazeColour, haze), 1.0);
+    pixel = vec4(mix(own * light * sky, hazeColour, haze), 1.0);
 }

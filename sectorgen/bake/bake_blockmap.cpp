@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "city_db/blockmap_layout.h"
+#include "city_db/surroundings.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/cell_fit.hpp"
+#include "sectorgen/bake/few_colours.hpp"
 #include "sectorgen/bake/ground_colours.hpp"
 #include "sectorgen/bake/surface_distance.hpp"
 #include "sectorgen/bake/wall_colours.hpp"
@@ -117,7 +119,8 @@ void store_fit(const CellFit& f, std::size_t cell, BlockMap& map) {
   map.offset[cell] = f.offset;
 }
 
-RgbImage roof_colours(const BakeScene& scene, const GroundColours& ground, const CellPieces& pieces,
+/// Of what each cell's plane stands for, as the world's lights show it. `light`: that falls on the ground.
+RgbImage roof_colours(const GroundColours& ground, double light, const CellPieces& pieces,
                       const std::vector<CellFit>& fits, std::uint32_t side) {
   RgbImage image(side, side);
   for (std::size_t row = 0, cell = 0; row < side; ++row)
@@ -129,15 +132,20 @@ RgbImage roof_colours(const BakeScene& scene, const GroundColours& ground, const
       for (std::size_t i = 0; i < roofs.size(); ++i) {
         covered += roofs[i].area;
         if (!is_above(fits[cell], i)) continue;
-        sum = sum + mean_of(scene.houses()[roofs[i].house].roof_colour) * roofs[i].area;
+        sum = sum + mean_of(roofs[i].shown) * roofs[i].area;
         area += roofs[i].area;
       }
       if (fits[cell].ground_above && covered < 1) {
-        sum = sum + ground.of_cell(column, row) * (1 - covered);
+        sum = sum + ground.of_cell(column, row) * (light * (1 - covered));
         area += 1 - covered;
       }
       image.set(column, side - 1 - row, rounded(sum * (1 / area)));
     }
+  return image;
+}
+
+RgbImage darkened(RgbImage image, double light) {
+  for (std::uint8_t& v : image.rgb) v = static_cast<std::uint8_t>(std::min(255.0, v * light + 0.5));
   return image;
 }
 
@@ -158,23 +166,15 @@ double squares(const RgbImage& a, const RgbImage& b) {
   return sum;
 }
 
-std::string coded(const RgbImage& image, int quality, double& squares_sum, double& values) {
+std::string coded(const RgbImage& image, int colours, double& squares_sum, double& values) {
   if (image.rgb.empty()) return "";
-  std::string bytes = encode_webp(image, quality);
-  const auto back = decode_webp(bytes, image.width, image.height);
-  assert(back);
-  squares_sum += squares(image, *back);
+  const IndexedPicture few = with_few_colours(image, colours);
+  squares_sum += squares(image, rgb_of(few, image.width, image.height));
   values += static_cast<double>(image.rgb.size());
-  return bytes;
+  return encode_indexed(few);
 }
 
 }  // namespace
-
-std::pair<std::uint32_t, std::uint32_t> wall_atlas_size(std::uint32_t columns, std::uint32_t rows) {
-  if (columns == 0) return {0, 0};
-  const std::uint32_t strips = (columns + BLOCKMAP_ATLAS_WIDTH - 1) / BLOCKMAP_ATLAS_WIDTH;
-  return {std::min<std::uint32_t>(columns, BLOCKMAP_ATLAS_WIDTH), strips * rows};
-}
 
 BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm,
                             const BlockMapOptions& options) {
@@ -214,10 +214,11 @@ BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint3
                                : std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::ceil(top / (2 * cell_m))),
                                                            BLOCKMAP_LEAST_ROWS, BLOCKMAP_MOST_ROWS);
   const GroundColours ground(scene, frame);
-  out.roof = roof_colours(scene, ground, pieces, fits, options.side);
-  out.ground = ground.filled();
-  if (options.with_ambient) out.ambient = grey_image(ambient_light(scene, frame), options.side / 2);
-  out.wall = wall_colours(scene, frame, map, pieces, fits);
+  const double light = light_on(-frame.base.east, -frame.base.north, 1);
+  out.pictures.roof = roof_colours(ground, light, pieces, fits, options.side);
+  out.pictures.ground = darkened(ground.filled(), light);
+  if (options.with_ambient) out.pictures.ambient = grey_image(ambient_light(scene, frame), options.side / 2);
+  out.pictures.wall = wall_colours(scene, frame, map, pieces, fits, out.pictures.roof);
   return out;
 }
 
@@ -225,11 +226,12 @@ BlockMap bake_blockmap(const BakeScene& scene, PlanPoint corner, std::uint32_t t
                        const BlockMapOptions& options) {
   BakedBlockMap baked = bake_unpacked(scene, corner, tile_side_mm, options);
   BlockMap& map = baked.map;
+  const TilePictures& pictures = baked.pictures;
   double sum = 0, values = 0, unused = 0, unused_values = 0;
-  map.roof_image = coded(baked.roof, options.quality, sum, values);
-  map.ground_image = coded(baked.ground, options.quality, unused, unused_values);
-  map.ambient_image = coded(baked.ambient, options.quality, unused, unused_values);
-  map.wall_image = coded(baked.wall, options.quality, sum, values);
+  map.roof_image = coded(pictures.roof, options.colours, sum, values);
+  map.ground_image = coded(pictures.ground, options.colours, unused, unused_values);
+  map.ambient_image = coded(pictures.ambient, options.colours, unused, unused_values);
+  map.wall_image = coded(pictures.wall, options.colours, sum, values);
   map.colour_error_milli = static_cast<std::uint32_t>(std::ceil(std::sqrt(sum / values) * 1000));
   return std::move(baked.map);
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include "city_db/blockmap.hpp"
 #include "sectorgen/bake/bake_scene.hpp"
-#include "sectorgen/bake/webp_image.hpp"
+#include "sectorgen/bake/blockmap_colours.hpp"
 
 /// A tile of the image-based city in our own form.
 namespace vicus {
@@ -9,14 +9,14 @@ namespace vicus {
 struct BlockMapOptions {
   std::uint32_t side = 128;  ///< cells: a power of two, BLOCKMAP_LEAST_SIDE ... BLOCKMAP_MOST_SIDE
   std::uint32_t rows = 0;    ///< of a wall column; 0: a texel is as high as two cells are wide
-  int quality = 80;          ///< of colours, as WebP
+  int colours = 24;          ///< of each picture: 2 ... 256
   bool with_ambient = true;
 };
 
 /// A tile before its pictures are coded.
 struct BakedBlockMap {
   BlockMap map;  ///< without images
-  RgbImage roof, ground, ambient, wall;
+  TilePictures pictures;
 };
 
 /// The tile of the square with south-west corner `corner`. Analytic: exact areas of cut polygons, exact means of facade
@@ -34,8 +34,5 @@ BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint3
 /// The same with coded pictures, and their error measured.
 BlockMap bake_blockmap(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm,
                        const BlockMapOptions& options = {});
-
-/// The picture of wall columns is this large.
-std::pair<std::uint32_t, std::uint32_t> wall_atlas_size(std::uint32_t columns, std::uint32_t rows);
 
 }  // namespace vicus

@@ -10,6 +10,7 @@
 #include "city_db/facade_layout.hpp"
 #include "city_db/run_parallel.hpp"
 #include "city_db/segment.hpp"
+#include "city_db/surroundings.hpp"
 
 namespace vicus {
 namespace {
@@ -66,6 +67,7 @@ void add_roof(const Building& house, BakeHouse& out) {
       out.roof.push_back(t);
     }
     out.planes.push_back(plane);
+    out.lit_roof.push_back(rounded(mean_of(house.roof_colour) * light_on(-plane.east, -plane.north, 1)));
   }
 }
 
@@ -91,6 +93,7 @@ void add_walls(const Building& house, const Ring& ring, const std::vector<const 
       wall.from_m = along_m(a, facade.b, facade.a);
       wall.to_m = along_m(b, facade.b, facade.a);
     }
+    wall.light = wall.ax == wall.bx && wall.ay == wall.by ? 0 : light_on(wall.by - wall.ay, wall.ax - wall.bx, 0);
     out.walls.push_back(wall);
   }
 }
@@ -161,9 +164,14 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
   std::unordered_map<std::string, std::shared_ptr<const FacadeSums>> pictures;
   for (std::size_t i = 0; i < names.size(); ++i) pictures.emplace(names[i], sums[i]);
 
-  houses_.resize(city.buildings.size());
-  for (std::size_t i = 0; i < city.buildings.size(); ++i) {
-    const Building& house = city.buildings[i];
+  // By id: a part of the city, read from its file, gives the same bytes as the whole (sums are rounded, heights are
+  // equal).
+  std::vector<const Building*> by_id;
+  for (const Building& house : city.buildings) by_id.push_back(&house);
+  std::sort(by_id.begin(), by_id.end(), [](const Building* a, const Building* b) { return a->id < b->id; });
+  houses_.resize(by_id.size());
+  for (std::size_t i = 0; i < by_id.size(); ++i) {
+    const Building& house = *by_id[i];
     BakeHouse& out = houses_[i];
     out.id = house.id;
     out.box = box_of(house.footprint);

@@ -30,6 +30,7 @@ struct BakeWall {
   std::int32_t facade = -1;     ///< of the house; -1: blind
   double from_m = 0, to_m = 0;  ///< of a and b along the facade, from its left end seen from outside
   double top_m = 0;             ///< where the roof begins, at its highest
+  double light = 1;             ///< that falls on it (surroundings.hpp)
 };
 
 /// Where a wall has a picture.
@@ -47,6 +48,7 @@ struct BakeHouse {
   double top_m = 0;                 ///< above the plan frame's 0
   Colour wall_colour, roof_colour;
   std::vector<UpPlane> planes;
+  std::vector<Colour> lit_roof;    ///< the roof's colour as each plane shows it
   std::vector<BakeTriangle> roof;  ///< covers the footprint once
   std::vector<BakeWall> walls;
   std::vector<BakeFacade> facades;
@@ -64,7 +66,7 @@ class BakeScene {
   /// `picture`: the PNG of a texture by id; empty where there is none (its facades are blind).
   BakeScene(const City& city, const std::function<std::string(const std::string& id)>& picture, unsigned threads);
 
-  const std::vector<BakeHouse>& houses() const { return houses_; }
+  const std::vector<BakeHouse>& houses() const { return houses_; }  ///< by id
   const std::vector<BakeGround>& ground() const { return ground_; }
   const Terrain& terrain() const { return terrain_; }
   std::vector<std::uint32_t> houses_in(const PlanBox& box) const;  ///< whose box meets it, in order

@@ -25,7 +25,6 @@ BlockMapCaster::BlockMapCaster(const BlockMap& map)
   const double step = map.step_um * 1e-6;
   CellLine normals[256];
   for (int i = 0; i < 256; ++i) normals[i] = line_of(static_cast<std::uint8_t>(i), 1);
-  tops_.emplace_back();
   for (std::size_t i = 0; i < map.height.size(); ++i) {
     Cell c{number(map.height[i] * step),
            number(slope_of(map.slope_east[i]) * cell_m_),
@@ -43,20 +42,21 @@ BlockMapCaster::BlockMapCaster(const BlockMap& map)
       top = std::max(top, c.foot);
     }
     cells_.push_back(c);
-    tops_[0].push_back(top + 1e-4f);
+    tops_.push_back(top + 1e-4f);
   }
-  for (int n = side_; n > 1; n /= 2) {
-    const auto& fine = tops_.back();
-    std::vector<float> coarse(static_cast<std::size_t>(n / 2) * static_cast<std::size_t>(n / 2), -1e9f);
+  levels_ = 1;
+  for (int n = side_; n > 1; n /= 2, ++levels_) {
+    const std::size_t fine = tops_.size() - static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    const std::size_t coarse = tops_.size();
+    first_[static_cast<std::size_t>(levels_)] = static_cast<int>(coarse);
+    tops_.resize(coarse + static_cast<std::size_t>(n / 2) * static_cast<std::size_t>(n / 2), -1e9f);
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x) {
-        float& top = coarse[static_cast<std::size_t>(y / 2 * (n / 2) + x / 2)];
-        top = std::max(top, fine[static_cast<std::size_t>(y * n + x)]);
+        float& top = tops_[coarse + static_cast<std::size_t>(y / 2 * (n / 2) + x / 2)];
+        top = std::max(top, tops_[fine + static_cast<std::size_t>(y * n + x)]);
       }
-    tops_.push_back(std::move(coarse));
   }
-  levels_ = static_cast<int>(tops_.size());
-  top_ = tops_.back()[0];
+  top_ = tops_.back();
 }
 
 bool BlockMapCaster::meet(const LocalRay& ray, float t0, float t1, std::uint32_t column, std::uint32_t row,
@@ -149,9 +149,8 @@ CastHit BlockMapCaster::cast(const PlanRay& ray, double before) const {
     const float ty = dy != 0 ? (static_cast<float>(r0 + (north ? size : 0)) - local.y) * local.per_dy : big;
     const float out = std::max(t, std::min({tx, ty, end}));
     const float least = local.z + local.dz * (local.dz < 0 ? out : t);
-    const int across = side_ >> level;
-    if (least <=
-        tops_[static_cast<std::size_t>(level)][static_cast<std::size_t>((row >> level) * across + (column >> level))]) {
+    const int square = first_[static_cast<std::size_t>(level)] + (row >> level) * (side_ >> level) + (column >> level);
+    if (least <= tops_[static_cast<std::size_t>(square)]) {
       if (level > 0) {
         --level;
         // Which of the four: where the ray is now, kept within this square.

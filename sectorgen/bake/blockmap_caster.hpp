@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "city_db/blockmap.hpp"
@@ -35,7 +36,8 @@ class BlockMapCaster {
   double west_ = 0, south_ = 0, cell_m_ = 1, base_ = 0, base_east_ = 0, base_north_ = 0;
   float top_ = 0;
   std::vector<Cell> cells_;
-  std::vector<std::vector<float>> tops_;  ///< tops_[0]: of each cell
+  std::vector<float> tops_;      ///< of each cell, then of 2 x 2 cells, ...
+  std::array<int, 16> first_{};  ///< of each level in tops_
 };
 
 }  // namespace vicus

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "city_db/blockmap_layout.h"
-#include "sectorgen/bake/bake_blockmap.hpp"
+#include "sectorgen/bake/few_colours.hpp"
 #include "sectorgen/bake/wall_colours.hpp"
 
 namespace vicus {
@@ -16,25 +16,31 @@ constexpr int kStep[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};  // by CellSide
 
 }  // namespace
 
-std::optional<BlockMapColours> BlockMapColours::of(const BlockMap& map) {
-  BlockMapColours out(map);
-  out.walls_ = wall_bits(map);
-  out.first_ = first_columns(out.walls_);
+std::pair<std::uint32_t, std::uint32_t> wall_atlas_size(std::uint32_t columns, std::uint32_t rows) {
+  if (columns == 0) return {0, 0};
+  const std::uint32_t strips = (columns + BLOCKMAP_ATLAS_WIDTH - 1) / BLOCKMAP_ATLAS_WIDTH;
+  return {std::min<std::uint32_t>(columns, BLOCKMAP_ATLAS_WIDTH), strips * rows};
+}
+
+std::optional<TilePictures> tile_pictures(const BlockMap& map) {
+  TilePictures out;
   const auto read = [](const std::string& bytes, std::uint32_t w, std::uint32_t h, RgbImage& image) {
-    if (w == 0 || h == 0 || bytes.empty()) return bytes.empty() && (w == 0 || h == 0);
-    auto decoded = decode_webp(bytes, w, h);
-    if (!decoded) return false;
-    image = std::move(*decoded);
-    return true;
+    if (w == 0 || h == 0) return bytes.empty();
+    const auto decoded = decode_indexed(bytes, std::size_t{w} * h);
+    if (decoded) image = rgb_of(*decoded, w, h);
+    return decoded.has_value();
   };
-  const auto [width, height] = wall_atlas_size(column_total(out.first_), map.rows);
+  const auto [width, height] = wall_atlas_size(column_total(first_columns(wall_bits(map))), map.rows);
   const std::uint32_t half = map.side / 2;
-  if (!read(map.roof_image, map.side, map.side, out.roof_) || !read(map.ground_image, half, half, out.ground_) ||
-      !read(map.wall_image, width, height, out.wall_))
+  if (!read(map.roof_image, map.side, map.side, out.roof) || !read(map.ground_image, half, half, out.ground) ||
+      !read(map.wall_image, width, height, out.wall))
     return std::nullopt;
-  if (!map.ambient_image.empty() && !read(map.ambient_image, half, half, out.ambient_)) return std::nullopt;
+  if (!map.ambient_image.empty() && !read(map.ambient_image, half, half, out.ambient)) return std::nullopt;
   return out;
 }
+
+BlockMapColours::BlockMapColours(const BlockMap& map, TilePictures pictures)
+    : map_(&map), pictures_(std::move(pictures)), walls_(wall_bits(map)), first_(first_columns(walls_)) {}
 
 Colour BlockMapColours::wall(std::size_t cell, std::uint8_t bit, double up) const {
   const WallSpan span = wall_span(*map_, cell, static_cast<WallBit>(bit));
@@ -42,7 +48,7 @@ Colour BlockMapColours::wall(std::size_t cell, std::uint8_t bit, double up) cons
       first_[cell] + static_cast<std::uint32_t>(std::popcount(static_cast<std::uint8_t>(walls_[cell] & (bit - 1u))));
   const double v = (up - span.low_m) / (span.high_m - span.low_m) * map_->rows;
   const auto row = static_cast<std::uint32_t>(std::clamp(v, 0.0, map_->rows - 1.0));
-  return wall_.at(column % BLOCKMAP_ATLAS_WIDTH, (column / BLOCKMAP_ATLAS_WIDTH + 1) * map_->rows - 1 - row);
+  return pictures_.wall.at(column % BLOCKMAP_ATLAS_WIDTH, (column / BLOCKMAP_ATLAS_WIDTH + 1) * map_->rows - 1 - row);
 }
 
 Colour BlockMapColours::foot(std::size_t cell) const {
@@ -60,9 +66,9 @@ Colour BlockMapColours::foot(std::size_t cell) const {
         metres(map_->tile_side_mm) / double(n);
     const double up = map_->height[other] * (map_->step_um * 1e-6) - rise;
     if (std::abs(up - map_->foot[cell] * (map_->step_um * 1e-6)) <= map_->wall_step_um * 1e-6)
-      return roof_.at(static_cast<std::size_t>(c), n - 1 - static_cast<std::size_t>(r));
+      return pictures_.roof.at(static_cast<std::size_t>(c), n - 1 - static_cast<std::size_t>(r));
   }
-  return ground_.at(static_cast<std::size_t>(column / 2), n / 2 - 1 - static_cast<std::size_t>(row / 2));
+  return pictures_.ground.at(static_cast<std::size_t>(column / 2), n / 2 - 1 - static_cast<std::size_t>(row / 2));
 }
 
 HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
@@ -74,27 +80,20 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
   const double up = ray.z + hit.t * ray.dz - metres(map_->base_mm) - base_east * x - base_north * y;
   const double east = slope_of(map_->slope_east[cell]), north = slope_of(map_->slope_north[cell]);
   HitLook look;
-  if (!ambient_.rgb.empty()) look.ambient = ambient_.at(column / 2, n / 2 - 1 - row / 2).r / 255.0;
-  const auto lie = [&](double slope_east, double slope_north) {
-    const double a = base_east + slope_east, b = base_north + slope_north, length = std::sqrt(a * a + b * b + 1);
-    look.east = -a / length, look.north = -b / length, look.up = 1 / length;
-  };
+  look.is_lit = true;
+  if (!pictures_.ambient.rgb.empty()) look.ambient = pictures_.ambient.at(column / 2, n / 2 - 1 - row / 2).r / 255.0;
   // A wall is as light at its foot as the ground two cells before it, and as the open sky at its top.
   const auto stand = [&](double a, double b, std::size_t at, std::uint8_t bit) {
-    look.east = a, look.north = b, look.up = 0;
-    if (ambient_.rgb.empty()) return;
+    if (pictures_.ambient.rgb.empty()) return;
     const long last = static_cast<long>(n) - 1;
     const long c = std::clamp(static_cast<long>(at % n) + std::lround(2 * a), 0L, last),
                r = std::clamp(static_cast<long>(at / n) + std::lround(2 * b), 0L, last);
     const double low =
-        ambient_.at(static_cast<std::size_t>(c / 2), n / 2 - 1 - static_cast<std::size_t>(r / 2)).r / 255.0;
+        pictures_.ambient.at(static_cast<std::size_t>(c / 2), n / 2 - 1 - static_cast<std::size_t>(r / 2)).r / 255.0;
     const WallSpan span = wall_span(*map_, at, static_cast<WallBit>(bit));
     look.ambient = low + (1 - low) * std::clamp((up - span.low_m) / (span.high_m - span.low_m), 0.0, 1.0);
   };
-  const auto as_plane = [&] {
-    look.colour = roof_.at(column, n - 1 - row);
-    lie(east, north);
-  };
+  const auto as_plane = [&] { look.colour = pictures_.roof.at(column, n - 1 - row); };
   const auto as_line = [&](std::size_t at) {
     const CellLine line = line_of(map_->angle[at], map_->offset[at]);
     look.colour = wall(at, kWallLine, up);
@@ -104,7 +103,6 @@ HitLook BlockMapColours::look(const PlanRay& ray, const CastHit& hit) const {
     as_plane();
   } else if (hit.surface == CastSurface::foot) {
     look.colour = foot(cell);
-    lie(0, 0);
   } else if (hit.surface == CastSurface::line) {
     if (walls_[cell] & kWallLine)
       as_line(cell);

@@ -12,9 +12,22 @@ struct HitLook {
   Colour colour;
   double east = 0, north = 0, up = 1;  ///< unit normal
   double ambient = 1;
+  bool is_lit = false;  ///< the colour is what the world's lights show; then no normal is given
 };
 
+/// The pictures of a tile; no ambient light: none of it is blocked.
+struct TilePictures {
+  RgbImage roof, ground, ambient, wall;
+};
+/// Unpacked; nullopt: one is damaged or of another size.
+std::optional<TilePictures> tile_pictures(const BlockMap& map);
+/// Width and height of the picture of wall columns.
+std::pair<std::uint32_t, std::uint32_t> wall_atlas_size(std::uint32_t columns, std::uint32_t rows);
+
 /// The pictures of a tile, unpacked; the rules of colouring that caster and shader share are said here.
+///
+/// All pictures show what the world's lights (surroundings.hpp) make of the true faces: of a roof's two slopes in one
+/// cell the mean of both.
 ///
 /// plane   the roof picture. foot: the roof picture one or two cells on, in the direction of the line's normal, of the
 ///         first whose plane, carried on, lies within wall_step of the foot; else the ground picture.
@@ -25,16 +38,15 @@ struct HitLook {
 /// top.
 class BlockMapColours {
  public:
-  /// nullopt: a picture is damaged or of another size.   Needs   `map` outlives it.
-  static std::optional<BlockMapColours> of(const BlockMap& map);
+  /// Needs   `map` outlives it; pictures of its sizes.
+  BlockMapColours(const BlockMap& map, TilePictures pictures);
   HitLook look(const PlanRay& ray, const CastHit& hit) const;
 
  private:
-  explicit BlockMapColours(const BlockMap& map) : map_(&map) {}
   Colour wall(std::size_t cell, std::uint8_t bit, double up) const;
   Colour foot(std::size_t cell) const;
   const BlockMap* map_;
-  RgbImage roof_, ground_, ambient_, wall_;
+  TilePictures pictures_;
   std::vector<std::uint8_t> walls_;
   std::vector<std::uint32_t> first_;
 };

@@ -42,6 +42,7 @@ class Cutter {
     const BakeHouse& house = scene_.houses()[index];
     for (const BakeTriangle& t : house.roof) {
       plane_ = &house.planes[t.plane];
+      shown_ = house.lit_roof[t.plane];
       SmallPolygon polygon;
       for (std::size_t k = 0; k < 3; ++k) polygon.add(cells_of(t.x[k], t.y[k]));
       cut_rows(polygon);
@@ -115,6 +116,7 @@ class Cutter {
     piece.cell = static_cast<std::uint32_t>(row * frame_.side + column);
     piece.house = house_;
     piece.points = static_cast<std::uint32_t>(polygon.count);
+    piece.shown = shown_;
     piece.area = area;
     piece.x = x / area;
     piece.y = y / area;
@@ -161,6 +163,7 @@ class Cutter {
   CellPieces& out_;
   std::uint32_t house_ = 0;
   const UpPlane* plane_ = nullptr;
+  Colour shown_;
   std::vector<double> cuts_;
 };
 

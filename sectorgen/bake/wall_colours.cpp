@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "city_db/blockmap_layout.h"
-#include "sectorgen/bake/bake_blockmap.hpp"
-#include "sectorgen/bake/ground_colours.hpp"
+#include "sectorgen/bake/blockmap_colours.hpp"
 
 namespace vicus {
 namespace {
@@ -25,8 +24,8 @@ double up_at_side(const BlockMap& map, std::size_t cell, int east, int north) {
 class WallPainter {
  public:
   WallPainter(const BakeScene& scene, const TileFrame& frame, const BlockMap& map, const CellPieces& pieces,
-              const std::vector<CellFit>& fits)
-      : scene_(scene), frame_(frame), map_(map), pieces_(pieces), fits_(fits) {}
+              const std::vector<CellFit>& fits, const RgbImage& roof)
+      : scene_(scene), frame_(frame), map_(map), pieces_(pieces), fits_(fits), roof_(roof) {}
 
   RgbImage paint() {
     const auto walls = wall_bits(map_);
@@ -95,20 +94,13 @@ class WallPainter {
     if (found_.empty()) take(0);
   }
 
-  /// Of the house with most roof in the cell; of the ground where there is none.
-  ColourMean plain_wall(std::size_t cell) const {
-    const RoofPiece* largest = nullptr;
-    for (const RoofPiece& p : pieces_.roofs_of(cell))
-      if (!largest || p.area > largest->area) largest = &p;
-    return mean_of(largest ? scene_.houses()[largest->house].wall_colour : kBeyondCity);
-  }
-
-  void paint_column(std::size_t cell, WallBit wall, std::uint32_t column) {
-    const WallSpan span = wall_span(map_, cell, wall);
+  void paint_column(std::size_t cell, WallBit bit, std::uint32_t column) {
+    const WallSpan span = wall_span(map_, cell, bit);
     const double x = frame_.west_m() + (static_cast<double>(cell % map_.side) + 0.5) * frame_.cell_m();
     const double y = frame_.south_m() + (static_cast<double>(cell / map_.side) + 0.5) * frame_.cell_m();
     const double base = frame_.base.at(x, y), step = (span.high_m - span.low_m) / map_.rows;
-    const ColourMean plain = found_.empty() ? plain_wall(cell) : ColourMean{};
+    const ColourMean plain =
+        found_.empty() ? mean_of(roof_.at(cell % map_.side, map_.side - 1 - cell / map_.side)) : ColourMean{};
     const std::size_t strip = column / BLOCKMAP_ATLAS_WIDTH;
     for (std::uint32_t row = 0; row < map_.rows; ++row) {
       ColourMean sum = plain;
@@ -116,7 +108,8 @@ class WallPainter {
       const double low = base + span.low_m + row * step;
       for (const auto& [piece, weight] : found_) {
         const BakeHouse& house = scene_.houses()[piece->house];
-        sum = sum + wall_mean(house, house.walls[piece->wall], piece->from, piece->to, low, low + step) * weight;
+        const BakeWall& wall = house.walls[piece->wall];
+        sum = sum + wall_mean(house, wall, piece->from, piece->to, low, low + step) * (wall.light * weight);
         total += weight;
       }
       image_.set(column % BLOCKMAP_ATLAS_WIDTH, (strip + 1) * map_.rows - 1 - row, rounded(sum * (1 / total)));
@@ -137,6 +130,7 @@ class WallPainter {
   const BlockMap& map_;
   const CellPieces& pieces_;
   const std::vector<CellFit>& fits_;
+  const RgbImage& roof_;
   std::vector<std::pair<const WallPiece*, double>> found_;
   RgbImage image_;
 };
@@ -166,8 +160,8 @@ WallSpan wall_span(const BlockMap& map, std::size_t cell, WallBit wall) {
 }
 
 RgbImage wall_colours(const BakeScene& scene, const TileFrame& frame, const BlockMap& map, const CellPieces& pieces,
-                      const std::vector<CellFit>& fits) {
-  return WallPainter(scene, frame, map, pieces, fits).paint();
+                      const std::vector<CellFit>& fits, const RgbImage& roof) {
+  return WallPainter(scene, frame, map, pieces, fits, roof).paint();
 }
 
 }  // namespace vicus

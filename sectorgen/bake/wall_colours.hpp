@@ -12,9 +12,10 @@ struct WallSpan {
 };
 WallSpan wall_span(const BlockMap& map, std::size_t cell, WallBit wall);
 
-/// The picture of all wall columns of a tile.
+/// The picture of all wall columns of a tile, as the world's lights show them. A step between two cells where no wall
+/// stands has the colour of the upper one in `roof`.
 /// Needs   fits of all cells of `map`.
 RgbImage wall_colours(const BakeScene& scene, const TileFrame& frame, const BlockMap& map, const CellPieces& pieces,
-                      const std::vector<CellFit>& fits);
+                      const std::vector<CellFit>& fits, const RgbImage& roof);
 
 }  // namespace vicus

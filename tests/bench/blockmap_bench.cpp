@@ -13,6 +13,7 @@
 #include "sectorgen/bake/bake_paper.hpp"
 #include "sectorgen/bake/bake_prisms.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
+#include "sectorgen/bake/few_colours.hpp"
 #include "tests/support/flight.hpp"
 #include "x3d_export/coding.hpp"
 #ifdef VICUS_PICTURE
@@ -24,6 +25,7 @@
 ///   blockmap_bench CITY.gpkg prisms                       bytes a house, level by level
 ///   blockmap_bench CITY.gpkg compare                      error at equal bytes: 2007, 2009, ours
 ///   blockmap_bench CITY.gpkg error                        measured against stored error
+///   blockmap_bench CITY.gpkg codecs                       pictures as WebP and as palettes: bytes and error
 ///   blockmap_bench CITY.gpkg rebake                       one house changes: what is baked again, and how long it
 ///   takes blockmap_bench CITY.gpkg picture OUT E,N,UP DIST EL AZ SIDE CELLS   truth and BlockMap+ side by side
 namespace {
@@ -375,11 +377,61 @@ void error(const Loaded& city) {
     }
 }
 
+void codecs(const Loaded& city) {
+  const int levels = tile_levels(city.scene->box());
+  std::vector<BakedBlockMap> baked;
+  for (const TileNode& node : plan_tiles(*city.scene, levels, 1))
+    if (node.has_blockmap && baked.size() < 40)
+      baked.push_back(bake_unpacked(*city.scene, tile_corner(levels, node.at), tile_side_mm(levels, node.at.z)));
+  const auto squares_of = [](const RgbImage& a, const RgbImage& b, double& n) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += (a.rgb[i] - b.rgb[i]) * (a.rgb[i] - b.rgb[i]);
+    n += double(a.rgb.size());
+    return sum;
+  };
+  for (const int q : {-80, -60, 12, 16, 24, 32, 48, 64, 128, 256}) {
+    double sum = 0, n = 0, bytes = 0, ms = 0, part[4] = {0, 0, 0, 0}, planes = 0;
+    for (const BakedBlockMap& b : baked) {
+      BlockMap map = b.map;
+      const double start = cpu_now();
+      int k = 0;
+      const std::string bare = encode_blockmap(map);
+      planes += double(brotli(bare, 9).size());
+      for (auto [image, to] :
+           {std::pair(&b.pictures.roof, &map.roof_image), std::pair(&b.pictures.ground, &map.ground_image),
+            std::pair(&b.pictures.ambient, &map.ambient_image), std::pair(&b.pictures.wall, &map.wall_image)}) {
+        if (image->rgb.empty()) {
+          ++k;
+          continue;
+        }
+        if (q < 0) {
+          *to = encode_webp(*image, -q);
+          if (k != 2) sum += squares_of(*image, *decode_webp(*to, image->width, image->height), n);
+          part[k] += double(to->size());
+        } else {
+          const auto few = with_few_colours(*image, k == 2 ? 16 : q);
+          *to = encode_indexed(few);
+          if (k != 2) sum += squares_of(*image, rgb_of(few, image->width, image->height), n);
+          part[k] += double(brotli(*to, 9).size());
+        }
+        ++k;
+      }
+      ms += cpu_now() - start;
+      bytes += double(brotli(encode_blockmap(map), 9).size());
+    }
+    const double t = double(baked.size());
+    std::printf("%4d: %7.0f B a tile (planes %.0f, roof %.0f ground %.0f ambient %.0f wall %.0f), rms %.2f, %.1f ms\n",
+                q, bytes / t, planes / t, part[0] / t, part[1] / t, part[2] / t, part[3] / t, std::sqrt(sum / n),
+                ms / t * 1e3);
+  }
+}
+
 void rebake(Loaded& city) {
   const int levels = tile_levels(city.scene->box());
   const auto before = plan_tiles(*city.scene, levels, 1);
   const auto houses = city.scene->houses_in(tile_box(levels, before.back().at));
-  city.city.buildings.at(houses.at(0)).roof_colour.r ^= 0x40;
+  for (Building& house : city.city.buildings)
+    if (house.id == city.scene->houses()[houses.at(0)].id) house.roof_colour.r ^= 0x40;
   const BakeScene scene(
       city.city, [](const std::string&) { return std::string(); }, 1);
   const double start = cpu_now();
@@ -406,11 +458,13 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[2], "prisms") == 0) return prisms(city), 0;
     if (std::strcmp(argv[2], "compare") == 0) return compare(city), 0;
     if (std::strcmp(argv[2], "error") == 0) return error(city), 0;
+    if (std::strcmp(argv[2], "codecs") == 0) return codecs(city), 0;
     if (std::strcmp(argv[2], "rebake") == 0) return rebake(city), 0;
     if (std::strcmp(argv[2], "picture") == 0 && argc == 10) return picture(city, argv + 3), 0;
   }
-  std::fprintf(stderr,
-               "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | rebake | picture OUT E,N,UP DIST EL "
-               "AZ SIDE CELLS\n");
+  std::fprintf(
+      stderr,
+      "usage: blockmap_bench CITY.gpkg speed | prisms | compare | error | codecs | rebake | picture OUT E,N,UP DIST EL "
+      "AZ SIDE CELLS\n");
   return 2;
 }

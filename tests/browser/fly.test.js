@@ -127,6 +127,42 @@ for (const [name, make] of Object.entries(made)) test(`flying over ${name}`, { t
         await page.close();
     });
 
+    await t.test('a click on the ground lands there, one on a roof flies nearer', async () => {
+        const { page, complaints } = await open(linkOf([0, -200, 150, 0, -40]));
+        await settle(page);
+        const [roof, ground] = await page.evaluate(async () => {
+            const { flight } = window.vicus, found = [null, null];
+            const { placeBelow } = await import('/client/core/placeBelow.js');
+            await flight.plan.whole(0, -100, 300);
+            for (let y = -0.6; y < 0.4; y += 0.05)
+                for (let x = -0.5; x < 0.5; x += 0.05) {
+                    const place = placeBelow(flight.eye(), [x, y], flight.flyover.heights);
+                    if (place?.isRoof) found[0] ??= { at: [x, y], ...place };
+                    else if (place?.away < 400 && flight.plan.sectorAt(...place.point)) found[1] ??= { at: [x, y], ...place };
+                }
+            return found;
+        });
+        const click = async ({ at: [x, y] }) => {
+            const { width, height } = await page.evaluate(() => document.getElementById('window').getBoundingClientRect().toJSON());
+            await page.mouse.click((x + 1) / 2 * width, (1 - y) / 2 * height);
+        };
+        await click(ground);
+        await page.waitForFunction(() => window.vicus.flight.phase === 'walking', null, { timeout: 180000 });
+        const pose = await poseOf(page);
+        assert.ok(Math.hypot(pose.east - ground.point[0], pose.north - ground.point[1]) < 1.5, JSON.stringify([pose, ground]));
+        await page.goto('about:blank');
+        await page.goto(`${server.origin}/${linkOf([0, -200, 150, 0, -40])}`);
+        await page.waitForFunction(() => window.vicus?.flight.isUp, null, { timeout: 120000 });
+        await settle(page);
+        await click(roof);
+        await page.waitForFunction(() => window.vicus.flight.glide, null, { timeout: 30000 });
+        await page.waitForFunction(() => !window.vicus.flight.glide, null, { timeout: 60000 });
+        const above = await poseOf(page);
+        assert.ok(Math.hypot(above.east - roof.point[0], above.north - roof.point[1], above.up - roof.up) < 0.7 * roof.away);
+        assert.deepEqual(complaints, []);
+        await page.close();
+    });
+
     await t.test('a place that was searched for is seen from above; the link restores it', async () => {
         const { page, complaints } = await open('');
         await page.waitForFunction(() => window.vicus.visit.here?.name, null, { timeout: 120000 });

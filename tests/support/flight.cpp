@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "city_db/surface_colour.hpp"
+#include "city_db/surroundings.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/ground_colours.hpp"
 
@@ -92,10 +93,9 @@ Camera camera_around(double x, double y, double up, double distance, double elev
 }
 
 Colour lit(const HitLook& look, bool with_ambient) {
-  const double sun = std::max(0.0, 0.45 * look.east - 0.5 * look.north + 0.74 * look.up);
-  const double light = with_ambient ? look.ambient : 1;
-  const double k = (0.55 + 0.1 * look.up) * light + 0.45 * sun * (0.4 + 0.6 * light);
-  return rounded(mean_of(look.colour) * k);
+  constexpr double kDarkest = 0.45;  // as the shader has it
+  const double light = look.is_lit ? 1 : light_on(look.east, look.north, look.up);
+  return rounded(mean_of(look.colour) * (light * (with_ambient ? kDarkest + (1 - kDarkest) * look.ambient : 1)));
 }
 
 RgbImage picture_of(const View& view, bool with_ambient) {
@@ -267,13 +267,13 @@ Seen TrueCity::see(const PlanRay& ray) const {
   if (face.plane >= 0) {
     const UpPlane& plane = house.planes[static_cast<std::size_t>(face.plane)];
     const double length = std::sqrt(plane.east * plane.east + plane.north * plane.north + 1);
-    out.look = {house.roof_colour, -plane.east / length, -plane.north / length, 1 / length, 1};
+    out.look = {house.roof_colour, -plane.east / length, -plane.north / length, 1 / length, 1, false};
     return out;
   }
   const BakeWall& wall = house.walls[static_cast<std::size_t>(face.wall)];
   const double dx = wall.bx - wall.ax, dy = wall.by - wall.ay, length = std::hypot(dx, dy);
   const double x = ray.x + out.t * ray.dx, y = ray.y + out.t * ray.dy, z = ray.z + out.t * ray.dz;
-  out.look = {house.wall_colour, dy / length, -dx / length, 0, 1};
+  out.look = {house.wall_colour, dy / length, -dx / length, 0, 1, false};
   if (wall.facade >= 0) {
     const BakeFacade& f = house.facades[static_cast<std::size_t>(wall.facade)];
     const double along = std::clamp(((x - wall.ax) * dx + (y - wall.ay) * dy) / (length * length), 0.0, 1.0);
@@ -323,7 +323,7 @@ double TrueCity::distance(double x, double y, double z, double reach) const {
 }
 
 DrawnTile::DrawnTile(BlockMap baked)
-    : map(std::make_unique<BlockMap>(std::move(baked))), caster(*map), colours(BlockMapColours::of(*map).value()) {}
+    : map(std::make_unique<BlockMap>(std::move(baked))), caster(*map), colours(*map, tile_pictures(*map).value()) {}
 
 View view_of(const std::vector<std::unique_ptr<DrawnTile>>& tiles, const Camera& camera) {
   View out{camera.width, camera.height, {}};

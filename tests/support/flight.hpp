@@ -37,7 +37,7 @@ struct View {
   std::vector<Seen> pixels;
 };
 inline constexpr Colour kSky{196, 213, 228};
-/// Lit by a sun and the sky; `with_ambient`: times the ambient light.
+/// Lit by the world's lights; `with_ambient`: times the ambient light.
 Colour lit(const HitLook& look, bool with_ambient);
 RgbImage picture_of(const View& view, bool with_ambient);
 void write_png(const std::filesystem::path& path, const RgbImage& image);

@@ -10,7 +10,6 @@
 namespace vicus {
 namespace {
 
-Vec3 plan_from_x3d(const double (&v)[3]) { return {v[0], -v[2], v[1]}; }
 float channel(std::uint8_t v) { return static_cast<float>(v) / 255; }
 Rgb rgb_of(Colour c) { return {channel(c.r), channel(c.g), channel(c.b)}; }
 
@@ -45,14 +44,7 @@ Rgb sky_colour(const Vec3& way) {
   return banded(std::numbers::pi - angle, kGroundAngles, kGroundColours);
 }
 
-double light_on(const Vec3& normal) {
-  double sum = 0;
-  for (const SunLight& light : kLights) {
-    const Vec3 way = plan_from_x3d(light.direction);
-    sum += light.intensity * std::max(0.0, -dot(normal, way) / (length(normal) * length(way)));
-  }
-  return sum;
-}
+double light_on(const Vec3& normal) { return light_on(normal[0], normal[1], normal[2]); }
 
 Rgba shown(const RayScene& scene, const RayScene::Hit& hit, const RaySample& sample) {
   const RenderMesh& mesh = scene.mesh();

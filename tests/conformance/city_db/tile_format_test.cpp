@@ -19,7 +19,7 @@ namespace {
 TEST(FormatMd, ShowsABlockMapsHeaderAsTheEncoderWritesIt) {
   const std::string bytes = encode_blockmap(sample_blockmap());
   EXPECT_EQ(dumped_bytes(1), bytes.substr(0, BLOCKMAP_HEADER_BYTES));
-  EXPECT_EQ(bytes.size(), std::size_t{BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * 16 * 16});
+  EXPECT_EQ(bytes.size(), std::size_t{BLOCKMAP_HEADER_BYTES + BLOCKMAP_PLANES * 16 * 16 + BLOCKMAP_LINE_BYTES});
   EXPECT_EQ(decode_blockmap(bytes), sample_blockmap());
 }
 

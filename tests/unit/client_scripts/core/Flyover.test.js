@@ -177,5 +177,4 @@ test('tiles are drawn as wanted, where they are sent so; too many houses are a B
     };
     assert.deepEqual(formsOf({}), [['prisms', 1], ['prisms', 1], ['blockMap', 2], ['prisms', 0]]);
     assert.deepEqual(formsOf({ form: 'blockMap' }), [['blockMap', 2], ['prisms', 1], ['blockMap', 2], ['prisms', 0]]);
-    assert.deepEqual(formsOf({ hasBlockMaps: false }), [['prisms', 1], ['prisms', 1], ['prisms', Infinity], ['prisms', 0]]);
 });

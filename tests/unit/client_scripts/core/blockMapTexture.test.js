@@ -35,7 +35,7 @@ test('header, planes, colours and columns lie where the shader looks for them', 
     assert.equal(at(0, 18), '01020000');
     assert.equal(at(1, 17), '80800064');
     assert.equal(at(2, 17), '00000210');
-    assert.equal(at(3, 18), '020e0147');   // column 2, row 1 from the south: the picture's row 14, light of its texel 1, 7
+    assert.equal(at(3, 18), '020e0144');   // column 2, row 1 from the south: the picture's row 14, light between its texels 0 and 1, 6 and 7
     assert.equal(at(4, 0), '00070200');    // ground
     const walls = floats[8];
     assert.equal(pixels[walls + 2 * 2].toString(16), '2010300');      // column 2, its foot: the picture's last row

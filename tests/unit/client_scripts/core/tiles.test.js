@@ -39,10 +39,10 @@ test('the prism tile of FORMAT.md is read as C++ wrote it', () => {
 });
 
 test('a BlockMap counts the columns that its header says, and no other tile passes', () => {
-    const n = 16, bytes = new Uint8Array(kBlockMap.BLOCKMAP_HEADER_BYTES + kBlockMap.BLOCKMAP_PLANES * n * n);
+    const n = 16, bytes = new Uint8Array(kBlockMap.BLOCKMAP_HEADER_BYTES + kBlockMap.BLOCKMAP_PLANES * n * n + kBlockMap.BLOCKMAP_LINE_BYTES);
     bytes.set(dump(1));
     const plane = which => kBlockMap.BLOCKMAP_HEADER_BYTES + which * n * n;
-    bytes.fill(128, plane(kBlockMap.BLOCKMAP_PLANE_SLOPE_EAST), plane(kBlockMap.BLOCKMAP_PLANE_ANGLE));
+    bytes.fill(128, plane(kBlockMap.BLOCKMAP_PLANE_SLOPE_EAST), plane(kBlockMap.BLOCKMAP_PLANE_OFFSET));
     for (const cell of [17, 18]) {
         bytes[plane(kBlockMap.BLOCKMAP_PLANE_HEIGHT_LOW) + cell] = 40;
         bytes[plane(kBlockMap.BLOCKMAP_PLANE_SLOPE_NORTH) + cell] = 136;

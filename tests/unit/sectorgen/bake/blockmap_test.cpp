@@ -15,6 +15,7 @@
 #include "sectorgen/bake/bake_paper.hpp"
 #include "sectorgen/bake/bake_prisms.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
+#include "sectorgen/bake/few_colours.hpp"
 #include "sectorgen/bake/raycast_reference.hpp"
 #include "sectorgen/bake/webp_image.hpp"
 #include "tests/support/built_city.hpp"
@@ -195,8 +196,71 @@ TEST(BlockMap, ComesBackAsItWasEncoded) {
   const auto back = decode_blockmap(bytes);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, map);
-  EXPECT_TRUE(BlockMapColours::of(*back));
+  EXPECT_TRUE(tile_pictures(*back));
   EXPECT_GT(map.colour_error_milli, 0u);
+}
+
+/// A part of the city that is read from its file comes in another order.
+TEST(BlockMap, TilesAreEqualInWhateverOrderHousesAndGroundCome) {
+  City turned = town();
+  std::reverse(turned.buildings.begin(), turned.buildings.end());
+  std::reverse(turned.surfaces.begin(), turned.surfaces.end());
+  const BakeScene scene(turned, pictures_of(turned), 1);
+  const int levels = levels_of(turned);
+  for (const TileNode& node : plan_tiles(town_scene(), levels, 1))
+    for (const TileKind kind : kTileKinds)
+      if (has_kind(node, kind)) {
+        EXPECT_EQ(tile_bytes(scene, levels, node.at, kind, 1), tile_bytes(town_scene(), levels, node.at, kind, 1))
+            << tile_path(node.at, kind);
+      }
+}
+
+TEST(BlockMap, PicturesOfFewColoursComeBackAndNoOthersPass) {
+  const IndexedPicture picture{{{1, 2, 3}, {200, 100, 50}}, std::string("\0\1\1\0\1\0", 6)};
+  const std::string bytes = encode_indexed(picture);
+  EXPECT_EQ(decode_indexed(bytes, 6), picture);
+  EXPECT_FALSE(decode_indexed(bytes, 7));
+  EXPECT_FALSE(decode_indexed(bytes.substr(1), 6));
+  EXPECT_FALSE(decode_indexed("", 0));
+  std::string unknown = bytes;
+  unknown.back() = 2;
+  EXPECT_FALSE(decode_indexed(unknown, 6)) << "a colour that the palette does not have";
+}
+
+/// Against the nearest of many random palettes it is never worse, and a picture that has few colours keeps them.
+TEST(BlockMap, FewColoursAreNear) {
+  std::mt19937_64 random(5);
+  for (const int colours : {2, 7, 24, 256}) {
+    RgbImage image(64, 48);
+    for (std::uint8_t& v : image.rgb) v = static_cast<std::uint8_t>(random());
+    const auto squares = [&](const IndexedPicture& few) {
+      const RgbImage back = rgb_of(few, 64, 48);
+      double sum = 0;
+      for (std::size_t i = 0; i < image.rgb.size(); ++i) sum += std::pow(image.rgb[i] - back.rgb[i], 2);
+      return sum;
+    };
+    const IndexedPicture few = with_few_colours(image, colours);
+    EXPECT_EQ(few.palette.size(), static_cast<std::size_t>(colours));
+    EXPECT_EQ(few, with_few_colours(image, colours));
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      IndexedPicture other;
+      for (int c = 0; c < colours; ++c) {
+        const std::size_t at = 3 * (random() % (image.rgb.size() / 3));
+        other.palette.push_back({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
+      }
+      for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+        const auto off = [&](Colour c) {
+          return std::pow(c.r - image.rgb[i], 2) + std::pow(c.g - image.rgb[i + 1], 2) +
+                 std::pow(c.b - image.rgb[i + 2], 2);
+        };
+        const auto nearest = std::min_element(other.palette.begin(), other.palette.end(),
+                                              [&](Colour a, Colour b) { return off(a) < off(b); });
+        other.pixels.push_back(static_cast<char>(nearest - other.palette.begin()));
+      }
+      EXPECT_LE(squares(few), squares(other)) << colours;
+    }
+    EXPECT_EQ(rgb_of(with_few_colours(rgb_of(few, 64, 48), colours), 64, 48).rgb, rgb_of(few, 64, 48).rgb);
+  }
 }
 
 TEST(BlockMap, RefusesBytesThatAreNone) {
@@ -440,7 +504,7 @@ TEST(TileDecoders, TakeDamagedTilesWithoutHarm) {
     if (random() % 4 == 0) bytes.resize(random() % bytes.size());
     const std::vector<std::uint8_t> exact(bytes.begin(), bytes.end());
     LLVMFuzzerTestOneInput(exact.data(), exact.size());
-    if (const auto map = decode_blockmap(bytes)) BlockMapColours::of(*map);
+    if (const auto map = decode_blockmap(bytes)) tile_pictures(*map);
   }
 }
 
