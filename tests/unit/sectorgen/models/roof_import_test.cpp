@@ -141,8 +141,9 @@ void expect_as_model(const HouseModel& model, double notch_x = -1, double notch_
   ASSERT_TRUE(roof) << fault;
   for (double x = 0.11; x < 12; x += 0.37)
     for (double y = 0.13; y < 8; y += 0.41)
-      if (std::hypot(x - notch_x, y - notch_y) > 0.06)
+      if (std::hypot(x - notch_x, y - notch_y) > 0.06) {
         EXPECT_NEAR(up_at(roof->roof, x, y), model_up_at(model, x, y), 0.01) << x << ", " << y;
+      }
 }
 
 TEST(RoofFromModel, CutsThePlanWhereFacesCrossWithoutAnEdge) {
