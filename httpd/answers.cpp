@@ -187,7 +187,8 @@ HttpResponse answer_composed(
   const std::string& coding = choice.codings.front();
   auto response = answer_in_coding(request, media_type, coding, etag_of(hash, coding), Caching::revalidate);
   if (response.status == 200)
-    response.body = make(coding, [&](std::string plain) { return in_coding(std::move(plain), coding, brotli_quality); });
+    response.body =
+        make(coding, [&](std::string plain) { return in_coding(std::move(plain), coding, brotli_quality); });
   return response;
 }
 

@@ -32,8 +32,8 @@ std::string plain_artefact(const CityReader& city, const std::string& path);
 /// Puts plain bytes into the coding that was chosen.
 using Code = std::function<std::string(std::string plain)>;
 
-/// Bytes that are made only where the client has not those of `hash` already: `make(coding, code)` gives them in `coding`,
-/// brotli of that quality.
+/// Bytes that are made only where the client has not those of `hash` already: `make(coding, code)` gives them in
+/// `coding`, brotli of that quality.
 HttpResponse answer_composed(
     const HttpRequest& request, const std::string& media_type, const std::string& hash, int brotli_quality,
     const std::function<std::shared_ptr<const std::string>(const std::string& coding, const Code& code)>& make);

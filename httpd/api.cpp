@@ -58,6 +58,10 @@ HttpResponse answer_api(const HttpRequest& request) {
   const auto text = [](const char* name, const char* what) {
     return query_parameter(name, what, {{"type", "string"}});
   };
+  paths["/parcels"] =
+      get("getParcel", "application/x-ndjson", "X3D files of many sectors: a line that lists them, then one line each",
+          Json::array({text("files", "ID, ID.far, ID.tall, separated by commas"),
+                       text("without", "images too, but those whose names begin so; may be empty")}));
   paths["/search"] = get("search", "application/json", "streets, squares, houses, shops and sights by name",
                          Json::array({text("q", "a name, accents and typing errors forgiven")}));
   paths["/tours"] =

@@ -177,13 +177,14 @@ HttpResponse Parcels::answer(const HttpRequest& request, const Url& url, const C
   if (parcel.names.empty())
     return problem(404, "There is no file of " + stems.front() + (stems.size() > 1 ? ", nor of the others" : "") +
                             ". Ask /collections/sectors/items for the sectors there are.");
-  return answer_composed(request, kMediaType, parcel.tag, kParcelBrotli, [&](const std::string& coding, const auto& code) {
-    const std::string tag = parcel.tag + '-' + coding;
-    if (auto kept = find(tag)) return kept;
-    auto body = body_of(code(text_of(query, parcel, city)));
-    keep(tag, body);
-    return body;
-  });
+  return answer_composed(request, kMediaType, parcel.tag, kParcelBrotli,
+                         [&](const std::string& coding, const auto& code) {
+                           const std::string tag = parcel.tag + '-' + coding;
+                           if (auto kept = find(tag)) return kept;
+                           auto body = body_of(code(text_of(query, parcel, city)));
+                           keep(tag, body);
+                           return body;
+                         });
 }
 
 std::shared_ptr<const std::string> Parcels::find(const std::string& tag) {

@@ -22,8 +22,10 @@
 ///
 /// with the bytes of each file's text, and the stems that there are no files of. Nothing is stored for it.
 ///
-/// With `&without=` (which may be empty) the images of near files come along, behind the first file that refers to them,
-/// ["textures/e7da62bd9adea1c8.png","iVBORw0KGgo..."] in base64; without those whose names begin as one of the list does.
+/// With `&without=` (which may be empty) the images of near files come along, behind the first file that refers to
+/// them,
+/// ["textures/e7da62bd9adea1c8.png","iVBORw0KGgo..."] in base64; without those whose names begin as one of the list
+/// does.
 namespace vicus {
 
 inline constexpr const char* kParcels = "/parcels";

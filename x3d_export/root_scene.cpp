@@ -256,7 +256,8 @@ std::optional<Scene> root_scene(const RecordSource& source, const RootOptions& o
   if (const auto lat = source.meta("origin_lat"), lon = source.meta("origin_lon"); !lat.empty() && !lon.empty())
     scene.metas.emplace_back("origin", lat + " " + lon);
   if (!options.is_static) scene.metas.emplace_back("warning", kNeedsEval);
-  if (!options.is_static && !options.parcels.empty() && options.format != SceneFormat::vrml) scene.metas.emplace_back("parcels", options.parcels);
+  if (!options.is_static && !options.parcels.empty() && options.format != SceneFormat::vrml)
+    scene.metas.emplace_back("parcels", options.parcels);
   Node info("WorldInfo");
   std::vector<std::string> lines;
   for (const auto& [key, text] : rights_of(source)) lines.push_back(text);

@@ -109,9 +109,8 @@ std::filesystem::path city_with_images(const test::ScratchDirectory& scratch) {
   for (const auto& [id, bytes] : {std::pair("aa11", std::string("a\0\xff", 3)), std::pair("bb22", std::string("bb22")),
                                   std::pair("cc33", std::string("c"))})
     add(std::string("textures/") + id + ".png", bytes);
-  write_city(scratch / "images.gpkg", city, [&, i = std::size_t{0}]() mutable {
-    return i < rows.size() ? std::optional(rows[i++]) : std::nullopt;
-  });
+  write_city(scratch / "images.gpkg", city,
+             [&, i = std::size_t{0}]() mutable { return i < rows.size() ? std::optional(rows[i++]) : std::nullopt; });
   return scratch / "images.gpkg";
 }
 
