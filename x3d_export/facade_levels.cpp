@@ -99,7 +99,7 @@ class FacadeBuilder {
     std::vector<Opening> deep;
     for (const Opening& o : openings_)
       if (o.floor < kDeepFloors) deep.push_back(o);
-    for (const WallPiece& p : wall_pieces(frame_.length_m(), facade_.bottom_m, facade_.top_m, deep))
+    for (const WallRectangle& p : wall_pieces(frame_.length_m(), facade_.bottom_m, facade_.top_m, deep))
       under_image(level, p.x0, p.x1, p.z0, p.z1);
     for (const Opening& o : deep) recess(level, o);
   }

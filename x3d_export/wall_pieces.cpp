@@ -5,13 +5,13 @@
 
 namespace vicus {
 
-std::vector<WallPiece> wall_pieces(double length_m, double bottom_m, double top_m,
-                                   const std::vector<Opening>& openings) {
+std::vector<WallRectangle> wall_pieces(double length_m, double bottom_m, double top_m,
+                                       const std::vector<Opening>& openings) {
   std::vector<double> levels{bottom_m, top_m};
   for (const Opening& o : openings) levels.insert(levels.end(), {o.z0, o.z1});
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  std::vector<WallPiece> pieces;
+  std::vector<WallRectangle> pieces;
   std::map<std::pair<double, double>, std::size_t> growing;  // x0, x1: pieces that end at the level
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     std::vector<std::pair<double, double>> taken;

@@ -43,7 +43,7 @@ TEST(WallPieces, OfARowOfWindowsAreTwoBandsAndThePiersBetween) {
     row[i].z0 = 1, row[i].z1 = 2;
   }
   EXPECT_EQ(wall_pieces(7, 0, 3, row).size(), 2u + 4);
-  EXPECT_EQ(wall_pieces(7, 0, 3, {}), (std::vector<WallPiece>{{0, 7, 0, 3}}));
+  EXPECT_EQ(wall_pieces(7, 0, 3, {}), (std::vector<WallRectangle>{{0, 7, 0, 3}}));
 }
 
 }  // namespace
