@@ -19,6 +19,8 @@ const kRetrySeconds = [1, 2, 4, 8, 16, 30];
 const kThresholdMm = 12000;
 /** mm from a gate that he walks towards, at which L_1 takes in what is seen from behind it: else that is missing when he comes in. */
 const kAheadMm = 20000;
+/** s that he may stand still and is still taken for walking. */
+const kWalkEndsSeconds = 3;
 /** s between two frames, above which the browser slept. */
 const kLongestFrame = 1;
 
@@ -55,7 +57,8 @@ export class SectorPlanner {
         this.important = new Set();
         this.known = 0;             // grows with what is known
         this.beyondDoors = [];      // ids of sectors on both sides of doors in use: Doors.wanted
-        this.last = { point: null, now: 0, isDisturbed: true, walk: null };
+        this.last = { point: null, now: 0, isDisturbed: true, walk: null, movedAt: -Infinity };
+        this.ahead = [];   // ids of sectors behind gates that he walks to
     }
 
     get i() {
@@ -128,12 +131,13 @@ export class SectorPlanner {
         return { current: this.current, changed: this.current !== before, level: this.i, load, unload, wakeAt };
     }
 
-    /** Time per frame counts while the visitor moves and nothing is put in; the way he walks is where he went last. */
+    /** Time per frame counts while the visitor moves and nothing is put in; the way he walks is where he went last, until he rests. */
     observe(point, now) {
         const { last } = this, moved = point && last.point ? distance(point, last.point) : 0, seconds = now - last.now;
         if (moved > 0 && last.isMoving && !last.isDisturbed && seconds < kLongestFrame) this.choice.addFrame(seconds);
-        const walk = moved > 0 ? [(point[0] - last.point[0]) / moved, (point[1] - last.point[1]) / moved] : last.walk;
-        this.last = { point: point ?? last.point, now, isMoving: moved > 0, isDisturbed: false, walk };
+        const movedAt = moved > 0 ? now : last.movedAt, isResting = now >= movedAt + kWalkEndsSeconds;
+        const walk = moved > 0 ? [(point[0] - last.point[0]) / moved, (point[1] - last.point[1]) / moved] : isResting ? null : last.walk;
+        this.last = { point: point ?? last.point, now, isMoving: moved > 0, isDisturbed: false, walk, movedAt };
     }
 
     chooseLevel(wanted, now, waitSeconds, memoryShare) {
@@ -151,7 +155,7 @@ export class SectorPlanner {
     }
 
     wakeTime(wanted, now) {
-        let earliest = Infinity;
+        let earliest = this.ahead.length ? this.last.movedAt + kWalkEndsSeconds : Infinity;
         for (const [stem, state] of this.states) {
             if (!wanted.has(stem)) earliest = Math.min(earliest, this.isRecent(stem, now) ? this.keptUntil(stem) : Infinity);
             else if (state.phase === 'failed') earliest = Math.min(earliest, state.retryAt);
@@ -168,7 +172,8 @@ export class SectorPlanner {
         const current = this.sectors.get(this.current);
         if (!current) return new Map();
         if (!point) return new Map([[stemOf(current.id, 'near'), { ring: 0, level: 'near' }]]);
-        const set = new Map(this.setAround(current, this.behindGatesAhead(current, point)));
+        this.ahead = this.behindGatesAhead(current, point);
+        const set = new Map(this.setAround(current, this.ahead));
         const addNear = sector => { set.set(sector.id, { ring: 1, level: 'near' }); };
         if (this.i === 0)
             for (const sector of (current.gates ?? []).map(gate => this.sectors.get(gate.to)).filter(Boolean))

@@ -157,8 +157,10 @@ test('a sector left behind stays near for keepSeconds, then its far file takes i
 test('wakeAt is when a sector is due to change to its far file', () => {
     const visit = new Visit({ options: { keepSeconds: 5 }, records: seeingFar(streetRecords()) }).stay([20, 5], 1);
     visit.walk([20, 5], [85, 5], 20).stay([85, 5], 1);
+    assert.ok(visit.frame([85, 5]).wakeAt < visit.now + 2.1, 'when he rests, what he walked to is no longer ahead');
+    visit.stay([85, 5], 2.1);
     const { wakeAt } = visit.frame([85, 5]);
-    assert.ok(wakeAt > visit.now + 2 && wakeAt < visit.now + 5, `${wakeAt - visit.now}`);
+    assert.ok(wakeAt > visit.now && wakeAt < visit.now + 3, `${wakeAt - visit.now}`);
     visit.stay([85, 5], 6);
     assert.equal(visit.frame([85, 5]).wakeAt, Infinity);
 });
@@ -341,4 +343,10 @@ test('who walks to a gate has what is seen from behind it before he is there; wh
     }
     assert.equal(visit.planner.current, 's1');
     assert.deepEqual(missing, []);
+});
+
+test('who rests before a gate keeps L_1 alone', () => {
+    const visit = new Visit({ options: { keepSeconds: 5 } }).stay([25, 5], 1).walk([25, 5], [35, 5]);
+    assert.deepEqual(visit.stay([35, 5], 1).liveIds, ['s0', 's1', 's2.far']);
+    assert.deepEqual(visit.stay([35, 5], 10).liveIds, ['s0', 's1']);
 });
