@@ -171,6 +171,8 @@ test(`what else a visitor of ${name} can do`, { timeout: 900000 }, async t => {
         await page.keyboard.press('KeyO');
         await page.waitForTimeout(500);
         assert.match(await page.textContent('#figures'), /On the way[1-9]/);
+        // Away from all gates, so that L_0 is the sector alone: a parcel is given up when nobody wants any more of it.
+        await page.evaluate(() => { window.vicus.view.setPose({ ...window.vicus.view.pose(), east: 20000 }); });
         await page.selectOption('#set-level', '0');
         await page.waitForFunction(() => window.vicus.visit.sectors.every(({ stem }) => !stem.includes('.')));
         await page.waitForTimeout(300);
