@@ -11,6 +11,7 @@ import { cities, serveCity } from './support/vicusServer.js';
 import { Visitor } from './support/Visitor.js';
 
 const kGates = 4;
+const kRestSeconds = 3;   // SectorPlanner: who stands so long walks to no gate any more
 const kKeepSeconds = 10;
 const kLagSeconds = 6;                // a slow machine's frames between leaving and giving back
 const kShapeCap = 1500;
@@ -71,7 +72,7 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
     });
 
     await t.test('after a while only L_1 is left: gate neighbours near, the rest of its list far or tall', async () => {
-        await visitor.page.waitForTimeout(1000 * (kKeepSeconds + 2));
+        await visitor.page.waitForTimeout(1000 * (kRestSeconds + kKeepSeconds + 2));
         await visitor.settle();
         const { current, asked } = await visitor.now(), record = await map.record(current);
         const near = new Set([current, ...record.gates.map(gate => gate.to).filter(Boolean)]);
