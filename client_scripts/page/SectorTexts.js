@@ -90,7 +90,9 @@ export class SectorTexts {
         return `${this.parcels}?files=${wants.map(({ stem }) => stem).join(',')}&without=${known.join(',')}`;
     }
 
+    /** One that came again keeps its address: scenes refer to it. */
     keepImage(name, base64) {
+        if (this.images.has(name)) return;
         const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
         this.images.set(name, URL.createObjectURL(new Blob([bytes], { type: 'image/png' })));
         if (this.images.size <= kMostImages) return;

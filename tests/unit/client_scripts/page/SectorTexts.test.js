@@ -78,6 +78,17 @@ test('who comes back is asked for nothing, and images that are here are not sent
     assert.deepEqual(asked, ['/parcels?files=a&without=', '/parcels?files=b.far&without=aa11,bb22']);
 });
 
+test('an image that two parcels bring has one address', async () => {
+    const { texts } = server({ mostKept: 1 }), files = [];
+    for (let i = 0; i < 2; ++i) {
+        files.push(texts.get('a', { signal: free() }));
+        texts.send();
+    }
+    const [first, second] = await Promise.all(files);
+    assert.equal(first.text, second.text);
+    assert.match(first.text, /blob:/);
+});
+
 test('texts are kept up to a length, the latest used', async () => {
     const { asked, texts } = server({ mostKept: 9 });
     for (const stem of ['b.far', 'c.tall', 'b.far', 'a', 'b.far', 'a']) {
