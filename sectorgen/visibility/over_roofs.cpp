@@ -39,7 +39,7 @@ double highest_ground(const Sector& sector, const Terrain& terrain) {
   return highest;
 }
 
-constexpr int kMostHillPlaces = 64;  // looked at along a line
+constexpr int kMostHillPlaces = 12;  // looked at along a line; 64 find no more (docs/visibility.md)
 
 enum class State : char { unknown, open, known };  // known: proven visible, or in sight on the level
 
@@ -57,10 +57,7 @@ struct Part {
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
-      : terrain(city.terrain),
-        walls(city),
-        field(walls, city.terrain, options.grid_cells),
-        targets(make_roof_targets(city, walls)) {}
+      : terrain(city.terrain), walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
   const Terrain& terrain;
   HouseWalls walls;
   RoofField field;

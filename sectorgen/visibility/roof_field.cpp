@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "city_db/terrain.hpp"
-#include "sectorgen/visibility/spot_box.hpp"
-
 namespace vicus {
 namespace {
 
@@ -99,7 +96,7 @@ WornGrid in_blocks(const Plane& plane, double radius_m) {
 
 }  // namespace
 
-RoofField::RoofField(const HouseWalls& houses, const Terrain& terrain, std::size_t most_cells) {
+RoofField::RoofField(const HouseWalls& houses, std::size_t most_cells) {
   bool is_first = true;
   for (const auto& w : houses.walls()) {
     if (is_first) left_ = right_ = w.a.x, bottom_ = top_ = w.a.y, is_first = false;
@@ -118,13 +115,9 @@ RoofField::RoofField(const HouseWalls& houses, const Terrain& terrain, std::size
     least_m = std::min(least_m, house.sure_top_m);
     most_m = std::max(most_m, house.most_zero_m + kFullHeight_m);
   }
-  const bool has_ground = !terrain.height_mm.empty() && !is_first;
-  if (has_ground)
-    least_m = std::min(least_m, height_range(terrain, box_around({left_, bottom_}, {right_, top_})).least_m);
   base_m_ = std::floor(least_m) - (least_m < 0 ? 1 : 0);
   step_m_ = std::max(kHeightStep_m, (most_m - base_m_) / 255);
-  Heights heights = draw(houses, cell, columns, rows);
-  if (has_ground) add_ground(terrain, cell, columns, heights);
+  const Heights heights = draw(houses, cell, columns, rows);
   tile_columns_ = static_cast<std::size_t>((right_ - left_) / kTile_m) + 1;
   tile_rows_ = static_cast<std::size_t>((top_ - bottom_) / kTile_m) + 1;
   tiles_.assign(tile_columns_ * tile_rows_, 0);
@@ -154,40 +147,6 @@ RoofField::RoofField(const HouseWalls& houses, const Terrain& terrain, std::size
     Plane plane{cell, columns, rows, worn(heights, columns, rows, radius)};
     while (plane.cell_m * 8 <= radius * cell) plane = halved(plane);
     grids_.push_back(in_blocks(plane, radius * cell));
-  }
-}
-
-/// The ground's least height in each cell, where no roof is higher.
-void RoofField::add_ground(const Terrain& terrain, double cell_m, std::int64_t columns, Heights& heights) const {
-  const auto at = [&](std::int64_t column, std::int64_t row) {
-    return Spot{left_ + static_cast<double>(column) * cell_m, bottom_ + static_cast<double>(row) * cell_m};
-  };
-  const auto node_of = [&](Spot p, bool is_x) {
-    return static_cast<std::int64_t>(
-        std::floor((is_x ? p.x - metres(terrain.corner.x) : p.y - metres(terrain.corner.y)) / metres(terrain.step_mm)));
-  };
-  const auto line = static_cast<std::size_t>(columns) + 1;
-  std::vector<double> below(line), above(line);  // along the lower and the upper side of a row of cells
-  const auto fill = [&](std::vector<double>& side, std::int64_t row) {
-    for (std::size_t i = 0; i < line; ++i) {
-      const Spot p = at(static_cast<std::int64_t>(i), row);
-      side[i] = height_m(terrain, {lattice_mm(p.x), lattice_mm(p.y)});
-    }
-  };
-  fill(above, 0);
-  for (std::size_t i = 0; i < heights.size(); i += static_cast<std::size_t>(columns)) {
-    const auto row = static_cast<std::int64_t>(i) / columns;
-    below.swap(above);
-    fill(above, row + 1);
-    for (std::int64_t column = 0; column < columns; ++column) {
-      const auto k = static_cast<std::size_t>(column);
-      const Spot low = at(column, row), high = at(column + 1, row + 1);
-      // Bilinear within one square of nodes: least at a corner.
-      const bool is_one = node_of(low, true) == node_of(high, true) && node_of(low, false) == node_of(high, false);
-      const double least_m = is_one ? std::min({below[k], below[k + 1], above[k], above[k + 1]}) - kDoubt_m
-                                    : height_range(terrain, box_around(low, high)).least_m;
-      heights[i + k] = std::max(heights[i + k], step_below(least_m));
-    }
   }
 }
 

@@ -7,7 +7,6 @@
 #include "sectorgen/visibility/house_walls.hpp"
 
 /// Sure heights on a grid, worn away from the edges: what a disc of some radius finds above itself wherever it lies.
-/// Roofs, and on a terrain the ground.
 namespace vicus {
 
 inline constexpr double kHeightStep_m = 0.5;  ///< the finest; coarser where a city's ground rises by more than 100 m
@@ -27,7 +26,7 @@ struct WornGrid {
 ///         7 bytes per cell within houses.
 class RoofField {
  public:
-  RoofField(const HouseWalls& houses, const Terrain& terrain, std::size_t most_cells);
+  RoofField(const HouseWalls& houses, std::size_t most_cells);
 
   /// The grid that answers for a radius; nullptr: none is so coarse.
   const WornGrid* grid_for(double radius) const {
@@ -73,8 +72,6 @@ class RoofField {
   }
   std::vector<std::uint8_t> draw(const HouseWalls& houses, double cell_m, std::int64_t columns,
                                  std::int64_t rows) const;
-  void add_ground(const Terrain& terrain, double cell_m, std::int64_t columns,
-                  std::vector<std::uint8_t>& heights) const;
   double left_ = 0, bottom_ = 0, right_ = 0, top_ = 0, base_m_ = 0, step_m_ = kHeightStep_m;
   std::uint8_t ceiling_ = 0;
   std::size_t tile_columns_ = 0, tile_rows_ = 0;

@@ -245,7 +245,7 @@ TEST(RoofField, IsNeverHigherThanAnyPlaceOfTheDisc) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomBlock block(seed);
     const HouseWalls walls(block.city());
-    const RoofField field(walls, {}, 1'000'000);
+    const RoofField field(walls, 1'000'000);
     int sure = 0;
     for (int i = 0; i < 4000; ++i) {
       const Spot x = block.anywhere();
@@ -310,7 +310,7 @@ TEST(Horizon, NeverHidesWhatSomeEyeOfTheDiscSees) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomBlock block(seed);
     const HouseWalls walls(block.city());
-    const RoofField field(walls, {}, 1'000'000);
+    const RoofField field(walls, 1'000'000);
     Horizon horizon(field);
     int hidden = 0;
     for (int i = 0; i < 200; ++i) {
