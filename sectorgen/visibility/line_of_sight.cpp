@@ -8,55 +8,11 @@
 
 #include "city_db/run_parallel.hpp"
 #include "sectorgen/geom/predicates.hpp"
+#include "sectorgen/visibility/bundle.hpp"
+#include "sectorgen/visibility/rim_map.hpp"
 
 namespace vicus {
 namespace {
-
-/// One of the two chains that bound a bundle of lines: the points at its front are nearest to where it began.
-struct Chain {
-  std::vector<PlanPoint> points;
-  std::size_t first = 0;
-
-  void start(PlanPoint p) {
-    points.assign(1, p);
-    first = 0;
-  }
-  PlanPoint front() const { return points[first]; }
-  PlanPoint back() const { return points.back(); }
-  std::size_t size() const { return points.size() - first; }
-  PlanPoint second() const { return points[first + 1]; }
-  PlanPoint last_but_one() const { return points[points.size() - 2]; }
-};
-
-/// All lines through the sides entered so far. Every line has the left chain on its left and the right chain on its
-/// right; the outermost two run from the right chain's front to the left chain's back, and the other way round.
-///
-///          l2 ---- r2        left  chain: l0 l2          \ leftmost line: r0 -> l2
-///         /         \        right chain: r0 r2          / rightmost line: l0 -> r2
-///       l0 --------- r0
-struct Bundle {
-  Chain left, right;
-
-  std::int64_t beyond_leftmost(PlanPoint p) const { return orient(right.front(), left.back(), p); }  // > 0: left of it
-  std::int64_t beyond_rightmost(PlanPoint p) const {
-    return orient(left.front(), right.back(), p);
-  }  // < 0: right of it
-
-  /// Only one line is left: the outermost two are the same.
-  bool is_line() const { return beyond_leftmost(right.back()) == 0 && beyond_leftmost(left.front()) == 0; }
-
-  /// p is to be on the left of every line from now on.
-  void narrow_left(PlanPoint p) {
-    while (left.size() >= 2 && orient(left.last_but_one(), left.back(), p) <= 0) left.points.pop_back();
-    left.points.push_back(p);
-    while (right.size() >= 2 && orient(right.front(), p, right.second()) >= 0) ++right.first;
-  }
-  void narrow_right(PlanPoint p) {
-    while (right.size() >= 2 && orient(right.last_but_one(), right.back(), p) >= 0) right.points.pop_back();
-    right.points.push_back(p);
-    while (left.size() >= 2 && orient(left.front(), p, left.second()) <= 0) ++left.first;
-  }
-};
 
 /// A directed line in lowest terms, so that equal lines are equal.
 struct Line {
@@ -90,10 +46,12 @@ using Flooded = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sector, g
 
 class Search {
  public:
-  Search(const SightMap& map, const SightOptions& options)
+  Search(const SightMap& map, const LookMap& looks, const SightOptions& options)
       : map_(map),
+        own_groups_(looks.own_groups),
+        ground_(map, looks),
         budget_(options.step_budget),
-        entered_(options.count_cells ? map.cells.size() : 0, kNowhere),
+        is_counting_(options.count_cells),
         seen_(map.sector_count(), kNowhere),
         met_(map.groups.size(), kNowhere),
         is_house_found_(map.owner.size(), 0) {}
@@ -104,10 +62,9 @@ class Search {
     steps_ = 0;
     lines_.clear();
     followed_.clear();
-    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t side = map_.cells[c].beyond[k];
-        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
+    for (const std::uint32_t c : ground_.own_cells())
+      for (const std::uint32_t side : ground_.cell(c).beyond) {
+        if (side >= kWall || ground_.cell(side >> 2).sector == sector) continue;
         if (!look_through(side)) return false;
       }
     return true;
@@ -132,21 +89,20 @@ class Search {
     std::fill(met_.begin(), met_.end(), kNowhere);
     flooded_.clear();
     start(sector);
-    std::vector<std::uint32_t> entered(map_.cells.size(), kNowhere), queue;
-    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c)
+    std::vector<std::uint32_t> entered(ground_.size(), kNowhere), queue;
+    for (const std::uint32_t c : ground_.own_cells())
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const SightCell& from = map_.cells[c];
+        const LookCell& from = ground_.cell(c);
         const std::uint32_t side = from.beyond[k];
-        if (side >= kWall || map_.cells[side >> 2].sector == sector) continue;
+        if (side >= kWall || ground_.cell(side >> 2).sector == sector) continue;
         const PlanPoint a = from.corner[(k + 1) % 3], b = from.corner[(k + 2) % 3];
         const std::uint32_t stamp = 4 * c + k;
         queue.assign(1, side >> 2);
         entered[side >> 2] = stamp;
         while (!queue.empty()) {
-          const SightCell& cell = map_.cells[queue.back()];
+          const LookCell& cell = ground_.cell(queue.back());
           queue.pop_back();
-          if (cell.sector != kNowhere) mark(cell.sector);
-          flood_houses(cell);
+          flood(cell);
           for (std::size_t s = 0; s < 3; ++s) {
             if (cell.beyond[s] >= kWall || entered[cell.beyond[s] >> 2] == stamp) continue;
             // The source lies left of ab; a line through ab goes on to the right.
@@ -160,16 +116,21 @@ class Search {
 
  private:
   /// On a sector's ground a house is seen only where the sector is: that is settled when its list is.
-  void flood_houses(const SightCell& cell) {
-    const auto add = [&](std::uint32_t group) {
-      if (cell.sector == kNowhere)
+  void flood(const LookCell& cell) {
+    const auto add = [&](std::uint32_t sector, std::uint32_t group) {
+      if (sector == kNowhere)
         meet(group);
       else
-        flooded_.insert({cell.sector, group});
+        flooded_.insert({sector, group});
     };
-    if (cell.group != 0) add(cell.group);
+    if (cell.sector != kNowhere) mark(cell.sector);
+    for (std::uint32_t p = cell.first_piece; p < cell.pieces_behind; ++p) {
+      const GroundPiece& piece = ground_.piece(p);
+      if (piece.sector != kNowhere) mark(piece.sector);
+      if (piece.group != 0) add(piece.sector, piece.group);
+    }
     for (const std::uint32_t side : cell.beyond)
-      if (side >= kWall && side != kNowhere) add(side - kWall);
+      if (side >= kWall && side != kNowhere) add(cell.sector, side - kWall);
   }
 
   /// Nothing is found but the sector, and what stands at its ground.
@@ -179,11 +140,10 @@ class Search {
     for (const std::uint32_t house : houses_) is_house_found_[house] = 0;
     houses_.clear();
     mark(sector);
-    for (std::uint32_t c = map_.begin[sector]; c < map_.begin[sector + 1]; ++c) {
-      meet(map_.cells[c].group);
-      for (const std::uint32_t side : map_.cells[c].beyond)
-        if (side >= kWall) meet_wall(side);
-    }
+    meet(0);
+    for (const std::uint32_t group : own_groups_[sector]) meet(group);
+    ground_.turn_to(sector);
+    if (is_counting_) entered_.assign(ground_.size(), 0);
   }
 
   void mark(std::uint32_t sector) {
@@ -191,14 +151,21 @@ class Search {
     seen_[sector] = source_;
     found_.push_back(sector);
   }
-  void mark(const SightCell& cell) {
-    if (!entered_.empty()) {
-      std::uint32_t& entered = entered_[static_cast<std::size_t>(&cell - map_.cells.data())];
-      cells += entered != source_;
-      entered = source_;
+  /// What the lines meet in a cell that they enter.
+  void mark(const LookCell& cell, const Wedge& lines) {
+    if (is_counting_) {
+      char& entered = entered_[ground_.index_of(cell)];
+      cells += entered == 0;
+      entered = 1;
     }
     if (cell.sector != kNowhere) mark(cell.sector);
-    if (cell.group != 0) meet(cell.group);
+    for (std::uint32_t p = cell.first_piece; p < cell.pieces_behind; ++p) {
+      const GroundPiece& piece = ground_.piece(p);
+      const bool is_new = piece.sector != kNowhere && seen_[piece.sector] != source_;
+      if ((!is_new && met_[piece.group] == source_) || !meets(piece.corner, cell.corner, lines)) continue;
+      if (is_new) mark(piece.sector);
+      meet(piece.group);
+    }
   }
   void meet_wall(std::uint32_t side) {
     if (side != kNowhere) meet(side - kWall);
@@ -214,7 +181,7 @@ class Search {
   }
 
   bool look_through(std::uint32_t side) {
-    const SightCell& first = map_.cells[side >> 2];
+    const LookCell& first = ground_.cell(side >> 2);
     bundle_.left.start(first.corner[((side & 3) + 1) % 3]);
     bundle_.right.start(first.corner[((side & 3) + 2) % 3]);
     for (;;) {
@@ -232,11 +199,11 @@ class Search {
 
   /// Enters the cell by that side; says by which side to go on, and keeps the other way for later where both are open.
   std::uint32_t enter(std::uint32_t side) {
-    const SightCell& cell = map_.cells[side >> 2];
+    const LookCell& cell = ground_.cell(side >> 2);
     const std::uint32_t s = side & 3;
     // Back in the sector: what leaves it again is in the bundle that begins at the side by which it leaves.
     if (cell.sector == source_) return kNowhere;
-    mark(cell);
+    mark(cell, bundle_.beyond(cell.corner[(s + 1) % 3], cell.corner[(s + 2) % 3]));
     const PlanPoint apex = cell.corner[s];
     const std::uint32_t to_right = cell.beyond[s == 2 ? 0 : s + 1], to_left = cell.beyond[s == 0 ? 2 : s - 1];
     const std::int64_t beyond_left = bundle_.beyond_leftmost(apex), beyond_right = bundle_.beyond_rightmost(apex);
@@ -254,27 +221,30 @@ class Search {
     return beyond_right > 0 && bundle_.is_line() ? follow_line(bundle_, to_left) : to_left;
   }
 
-  /// One line needs no chains: each cell that it meets once, whichever way round corners it touches. Along fronts in
+  /// One line needs no chains: each side that it passes once, whichever way round corners it touches. Along fronts in
   /// line, with niches between, the ways are two to the power of the niches.
   std::uint32_t follow_line(const Bundle& bundle, std::uint32_t side) {
     const PlanPoint p = bundle.right.front(), q = bundle.left.back();
     const auto line = lines_.emplace(line_through(p, q), static_cast<std::uint32_t>(lines_.size())).first->second;
-    const auto is_new = [&](std::uint32_t cell) { return followed_.insert((std::uint64_t{line} << 32) | cell).second; };
+    const auto is_new = [&](std::uint32_t entry) {
+      return followed_.insert((std::uint64_t{line} << 32) | entry).second;
+    };
     line_queue_.clear();
-    if (is_new(side >> 2)) line_queue_.push_back(side >> 2);
+    if (is_new(side)) line_queue_.push_back(side);
     while (!line_queue_.empty()) {
-      const SightCell& cell = map_.cells[line_queue_.back()];
+      const std::uint32_t entry = line_queue_.back();
+      const LookCell& cell = ground_.cell(entry >> 2);
       line_queue_.pop_back();
       ++steps_;
       if (cell.sector == source_) continue;
-      mark(cell);
+      mark(cell, {p, q, p, q, cell.corner[((entry & 3) + 1) % 3], cell.corner[((entry & 3) + 2) % 3]});
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = cell.beyond[k];
         if (orient(p, q, cell.corner[(k + 1) % 3]) > 0 || orient(p, q, cell.corner[(k + 2) % 3]) < 0) continue;
         if (beyond >= kWall)
           meet_wall(beyond);
-        else if (is_new(beyond >> 2))
-          line_queue_.push_back(beyond >> 2);
+        else if (is_new(beyond))
+          line_queue_.push_back(beyond);
       }
     }
     return kNowhere;
@@ -286,15 +256,15 @@ class Search {
     };
     Branch branch{side, store_.size(), 0};
     if (narrows) {
-      Bundle narrowed = bundle_;
-      narrowed.narrow_right(apex);
-      if (narrowed.is_line()) {
-        follow_line(narrowed, side);
+      narrowed_ = bundle_;
+      narrowed_.narrow_right(apex);
+      if (narrowed_.is_line()) {
+        follow_line(narrowed_, side);
         return;
       }
-      keep(narrowed.left);
+      keep(narrowed_.left);
       branch.right_begin = store_.size();
-      keep(narrowed.right);
+      keep(narrowed_.right);
     } else {
       keep(bundle_.left);
       branch.right_begin = store_.size();
@@ -315,18 +285,21 @@ class Search {
   }
 
   const SightMap& map_;
+  const std::vector<std::vector<std::uint32_t>>& own_groups_;
+  RimMap ground_;
   std::uint64_t budget_, steps_ = 0;
   std::uint32_t source_ = 0;
-  std::vector<std::uint32_t> entered_;  // per cell: by a look of this sector; empty: not counted
+  bool is_counting_;
+  std::vector<char> entered_;  // per cell: by a look of this sector, where counted
   std::vector<std::uint32_t> seen_, found_;
   std::vector<std::uint32_t> met_, houses_;  // per group: met from this sector; the houses of these
   std::vector<char> is_house_found_;
   Flooded flooded_;
-  Bundle bundle_;
+  Bundle bundle_, narrowed_;
   std::vector<Branch> branches_;
   std::vector<PlanPoint> store_;
   std::unordered_map<Line, std::uint32_t, LineHash> lines_;
-  std::unordered_set<std::uint64_t> followed_;  // line and cell
+  std::unordered_set<std::uint64_t> followed_;  // line and side
   std::vector<std::uint32_t> line_queue_;
 };
 
@@ -370,7 +343,8 @@ SightLists lines_of_sight(const SightMap& map, const SightOptions& options) {
   SightLists lists;
   lists.visible.resize(sectors);
   lists.houses.resize(sectors);
-  std::vector<Search> searches(threads, Search(map, options));
+  const LookMap looks = make_look_map(map);
+  std::vector<Search> searches(threads, Search(map, looks, options));
   std::vector<std::uint64_t> steps(sectors, 0);
   std::vector<char> over(sectors, 0);
   std::vector<Flooded> flooded(sectors);
