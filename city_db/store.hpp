@@ -12,7 +12,8 @@
 namespace vicus {
 
 /// Writes the whole city into a temporary file beside `path`, then renames it into place, so that a broken build
-/// leaves the old city whole. Artefacts are pulled one by one (`next_artefact` returns nullopt at the end).
+/// leaves the old city whole. Artefacts are pulled one by one (`next_artefact` returns nullopt at the end), before any
+/// record is written: what pulling changes in `city` (bytes of sectors, issues) is written, too.
 /// Fails   CityError: cannot create, disk full, rename refused.
 void write_city(const std::filesystem::path& path, const City& city,
                 const std::function<std::optional<Artefact>()>& next_artefact);

@@ -97,6 +97,7 @@ void write_city(const std::filesystem::path& path, const City& city,
   db.execute("BEGIN");
   create_schema(db, city.origin);
   Written written;
+  write_artefacts(db, next_artefact, written);
   write_list(db, "sector", city.sectors, written);
   write_list(db, "gate", city.gates, written);
   write_list(db, "border", city.borders, written);
@@ -116,7 +117,6 @@ void write_city(const std::filesystem::path& path, const City& city,
   write_list(db, "impostor", city.impostors, written);
   write_list(db, "terrain", std::vector<Terrain>(city.terrain.height_mm.empty() ? 0 : 1, city.terrain), written);
   write_list(db, "issue", city.issues, written);
-  write_artefacts(db, next_artefact, written);
   write_meta(db, city, written);
   finish_schema(db, written.extents);
   db.execute("COMMIT");

@@ -195,6 +195,15 @@ void add_impostors(const Arguments& arguments, City& city) {
   city.impostors = bake_impostors(city, scene, options);
 }
 
+void report_over_budget(City& city, std::uint64_t budget_bytes) {
+  for (const auto& s : city.sectors)
+    if (s.bytes > budget_bytes)
+      city.issues.push_back(
+          {IssueCode::over_budget,
+           "sector " + s.id + " takes " + std::to_string(s.bytes) + " bytes and has no chord left to cut at", s.id,
+           s.origin});
+}
+
 void run(const Arguments& arguments, Context& context) {
   const std::optional<City> previous = previous_city(arguments, context);
   const Progress progress(context);
@@ -235,13 +244,11 @@ void run(const Arguments& arguments, Context& context) {
   PackageOptions package;
   package.threads = arguments.threads;
   const auto artefacts = followed_by(export_artefacts(city, package), std::move(tiles));
-  for (const auto& s : city.sectors)
-    if (s.bytes > options.budget_bytes)
-      city.issues.push_back(
-          {IssueCode::over_budget,
-           "sector " + s.id + " takes " + std::to_string(s.bytes) + " bytes and has no chord left to cut at", s.id,
-           s.origin});
-  write_city(arguments.output, city, artefacts);
+  write_city(arguments.output, city, [&] {
+    auto artefact = artefacts();
+    if (!artefact) report_over_budget(city, options.budget_bytes);
+    return artefact;
+  });
   clock.end();
   if (arguments.strict && !city.issues.empty()) context.exit_code = kRuleBroken;
   print_result(context, report_text(city, report, arguments.output), report_object(city, report, arguments.output));

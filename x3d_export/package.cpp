@@ -14,25 +14,19 @@
 namespace vicus {
 namespace {
 
-/// What pass one leaves for pass two: the near files, packed, and how many Shapes they have.
-struct NearFiles {
-  std::vector<Artefact> artefacts;
-  int shapes = 0;
-};
-
 class CityArtefacts {
  public:
-  CityArtefacts(City& city, const PackageOptions& options) : city_(city), index_(city), options_(options) {
-    near_.resize(city.sectors.size());
-    run_parallel(city.sectors.size(), thread_count(options_.threads),
-                 [this](std::size_t i, unsigned) { pack_near(i); });
+  CityArtefacts(City& city, const PackageOptions& options)
+      : city_(city), index_(city), options_(options), near_shapes_(city.sectors.size(), 0) {
     add_textures();
-    add_interiors();
-    if (!city.sectors.empty() && !city.meta.contains("start")) city.meta["start"] = start_sector(source_of(index_));
   }
 
   std::optional<Artefact> next() {
-    if (ready_.empty()) fill_ready();
+    while (ready_.empty() && near_done_ < city_.sectors.size()) {
+      fill_ready(near_done_, [this](std::size_t i) { return pack_near(i); });
+      if (near_done_ == city_.sectors.size()) finish_near();
+    }
+    if (ready_.empty()) fill_ready(rest_done_, [this](std::size_t i) { return pack_rest(i); });
     if (ready_.empty()) return std::nullopt;
     Artefact artefact = std::move(ready_.front());
     ready_.pop_front();
@@ -58,32 +52,39 @@ class CityArtefacts {
     }
   }
 
-  void pack_near(std::size_t i) {
+  std::vector<Artefact> pack_near(std::size_t i) {
+    std::vector<Artefact> out;
     std::uint64_t bytes = 0;
     for (const auto& file : sector_files(index_, city_.sectors[i], Detail::near, SceneFormat::x3d)) {
-      near_[i].artefacts.push_back(packed(file));
-      near_[i].shapes += file.shapes;
-      bytes += near_[i].artefacts.back().body.size();
+      out.push_back(packed(file));
+      near_shapes_[i] += file.shapes;
+      bytes += out.back().body.size();
     }
     city_.sectors[i].bytes = bytes;
+    return out;
   }
 
-  void fill_ready() {
+  /// Records tell the bytes of other sectors, too.
+  void finish_near() {
+    add_interiors();
+    if (!city_.meta.contains("start")) city_.meta["start"] = start_sector(source_of(index_));
+  }
+
+  void fill_ready(std::size_t& done, const std::function<std::vector<Artefact>(std::size_t)>& pack) {
     constexpr std::size_t kPerThread = 8;  // enough that threads seldom wait for the slowest sector
-    const std::size_t count = std::min(city_.sectors.size() - done_, kPerThread * thread_count(options_.threads));
+    const std::size_t count = std::min(city_.sectors.size() - done, kPerThread * thread_count(options_.threads));
     std::vector<std::vector<Artefact>> lists(count);
-    run_parallel(count, thread_count(options_.threads),
-                 [&](std::size_t i, unsigned) { lists[i] = pack_rest(done_ + i); });
-    done_ += count;
+    run_parallel(count, thread_count(options_.threads), [&](std::size_t i, unsigned) { lists[i] = pack(done + i); });
+    done += count;
     for (auto& list : lists) std::move(list.begin(), list.end(), std::back_inserter(ready_));
   }
 
   std::vector<Artefact> pack_rest(std::size_t i) {
     const Sector& sector = city_.sectors[i];
-    std::vector<Artefact> out = std::move(near_[i].artefacts);
+    std::vector<Artefact> out;
     for (const auto detail : {Detail::far, Detail::tall})
       for (const auto& file : sector_files(index_, sector, detail, SceneFormat::x3d)) out.push_back(packed(file));
-    const auto record = sector_record(source_of(index_), sector, near_[i].shapes);
+    const auto record = sector_record(source_of(index_), sector, near_shapes_[i]);
     out.push_back(packed({"sectors/" + sector.id + ".json", "application/json", record_json(record), 0}));
     return out;
   }
@@ -95,9 +96,9 @@ class CityArtefacts {
   City& city_;
   CityIndex index_;
   PackageOptions options_;
-  std::vector<NearFiles> near_;
+  std::vector<int> near_shapes_;
   std::deque<Artefact> ready_;
-  std::size_t done_ = 0;
+  std::size_t near_done_ = 0, rest_done_ = 0;  // sectors
 };
 
 }  // namespace

@@ -19,14 +19,14 @@ struct PackageOptions {
 /// The one row that holds `body`: as brotli, or as it is where that saves nothing. The hash is that of the row's body.
 Artefact stored(const std::string& path, const std::string& media_type, const std::string& body, int brotli_quality);
 
-/// Every artefact of the city one by one: its textures and impostors, its interiors, then in sector order: for each
-/// sector .x3d, .far.x3d, .tall.x3d where it has one (each with its parts), and .json. nullopt at the end.
+/// Every artefact of the city one by one: its textures and impostors; for each sector .x3d with its parts; its
+/// interiors; then for each sector .far.x3d and .tall.x3d where it has one, and .json. nullopt at the end.
 ///
-/// On return every Sector.bytes is filled: stored bytes of the near X3D file and its parts; and meta "start" is set
-/// where it was not.
+/// Once the last was pulled every Sector.bytes is filled: stored bytes of the near X3D file and its parts; and meta
+/// "start" is set where it was not.
 /// Needs   `city` outlives the generator and is not changed by others meanwhile.
-/// Cost    memory: the near files as brotli; the rest is made in batches while it is pulled. Equal bytes for any number
-///         of threads.
+/// Cost    memory: a few sectors' files at a time; they are made while they are pulled. Equal bytes for any number of
+///         threads.
 std::function<std::optional<Artefact>()> export_artefacts(City& city, const PackageOptions& options);
 
 }  // namespace vicus

@@ -79,6 +79,18 @@ TEST(WriteCity, GivesEqualBytesForEqualCities) {
   EXPECT_EQ(test::read_bytes(scratch / "a.gpkg"), test::read_bytes(scratch / "b.gpkg"));
 }
 
+TEST(WriteCity, WritesWhatPullingChanges) {
+  ScratchDirectory scratch;
+  City city = test::sample_city();
+  auto next = one_by_one(some_artefacts());
+  write_city(scratch / "city.gpkg", city, [&] {
+    auto artefact = next();
+    if (!artefact) city.sectors.front().bytes = 4711;
+    return artefact;
+  });
+  EXPECT_EQ(read_city(scratch / "city.gpkg").sectors.front().bytes, 4711u);
+}
+
 TEST(CityReader, AnswersByKey) {
   ScratchDirectory scratch;
   const City city = test::sample_city();
