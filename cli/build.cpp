@@ -60,7 +60,10 @@ struct Progress {
 };
 
 OverRoofs over_roofs_of(const std::string& text) {
-  return text == "yes" ? OverRoofs::yes : text == "no" ? OverRoofs::no : OverRoofs::automatic;
+  return text == "yes"         ? OverRoofs::yes
+         : text == "landmarks" ? OverRoofs::landmarks
+         : text == "no"        ? OverRoofs::no
+                               : OverRoofs::automatic;
 }
 
 LatLon parse_origin(const std::string& text) {
@@ -293,9 +296,11 @@ void add_build(CLI::App& app, Context& context) {
       ->check(CLI::Range(10u, 100000u));
   command
       ->add_option("--over-roofs", arguments->over_roofs,
-                   "list houses seen above nearer roofs: yes, no, auto (yes up to " +
-                       std::to_string(kSectorsOverRoofs) + " sectors: it takes about 0.05 to 0.5 CPU s a sector)")
-      ->check(CLI::IsMember({"auto", "yes", "no"}));
+                   "list houses seen above nearer roofs: yes, landmarks (houses of " +
+                       std::to_string(std::lround(kLandmark_m)) +
+                       " m and more alone: a quarter of the time in a large city), no, auto (yes up to " +
+                       std::to_string(kSectorsOverRoofs) + " sectors: it takes about 0.03 to 0.2 CPU s a sector)")
+      ->check(CLI::IsMember({"auto", "yes", "landmarks", "no"}));
   command
       ->add_option("--impostors", arguments->impostors,
                    "pictures shown in gates until what lies behind has come: no, yes, auto (yes up to " +

@@ -57,7 +57,10 @@ struct Part {
 class Scene {
  public:
   Scene(const City& city, const RoofOptions& options)
-      : terrain(city.terrain), walls(city), field(walls, options.grid_cells), targets(make_roof_targets(city, walls)) {}
+      : terrain(city.terrain),
+        walls(city),
+        field(walls, options.grid_cells),
+        targets(make_roof_targets(city, walls, options.least_height_m)) {}
   const Terrain& terrain;
   HouseWalls walls;
   RoofField field;

@@ -10,6 +10,7 @@ namespace vicus {
 
 struct RoofOptions {
   unsigned threads = 0;                       ///< 0: all cores
+  double least_height_m = 0;                  ///< lower houses are not looked for, nor, where it is not 0, the ground
   double first_radius_m = 2.5;                ///< of the first horizons
   double pair_radius_m = 1;                   ///< below it eyes and walls are taken pair by pair
   double least_radius_m = 0.125;              ///< and told apart down to pieces of twice this length

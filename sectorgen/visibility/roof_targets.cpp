@@ -108,7 +108,7 @@ std::uint32_t join_trees(SegmentTree& tree, std::vector<std::uint32_t>& roots) {
   return roots.empty() ? kNowhere : join(join, 0, roots.size());
 }
 
-RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
+RoofTargets make_roof_targets(const City& city, const HouseWalls& walls, double least_m) {
   std::unordered_map<std::string, std::uint32_t> sectors;
   for (std::uint32_t s = 0; s < city.sectors.size(); ++s) sectors.emplace(city.sectors[s].id, s);
   const std::vector<FacadeEdge> facades = facade_edges(city, sectors);
@@ -117,8 +117,9 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
   std::vector<std::uint32_t> roots;
   for (std::uint32_t h = 0; h < city.buildings.size(); ++h) {
     const Building& building = city.buildings[h];
+    if (building.height_m < least_m) continue;
     const HouseBody& body = walls.houses()[h];
-    const double least_m = body.most_zero_m + kStopsSight_m;  // above eyes on flat ground
+    const double above_eyes_m = body.most_zero_m + kStopsSight_m;  // on flat ground
     const auto owner_sector = sectors.find(building.sector_id);
     const std::uint32_t owner = owner_sector == sectors.end() ? kNowhere : owner_sector->second;
     const auto first_showing = static_cast<std::uint32_t>(targets.showings.size());
@@ -130,13 +131,13 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
       if (i == targets.showings.size()) targets.showings.push_back({sector, h, sector == owner});
       targets.showing.push_back(i);
       targets.is_wall.push_back(is_wall);
-      targets.tree.segments.push_back({a, b, std::max(up_a, least_m), std::max(up_b, least_m)});
+      targets.tree.segments.push_back({a, b, std::max(up_a, above_eyes_m), std::max(up_b, above_eyes_m)});
     };
     std::uint32_t wall = body.first_wall;
     const auto add_ring = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i, ++wall) {
         const HouseWall& w = walls.walls()[wall];
-        if (is_flat && w.beyond_m >= std::max(body.most_eave_m, least_m)) continue;
+        if (is_flat && w.beyond_m >= std::max(body.most_eave_m, above_eyes_m)) continue;
         const FacadeEdge key{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], h, 0};
         const auto found = std::lower_bound(facades.begin(), facades.end(), key,
                                             [](const auto& x, const auto& y) { return x.key() < y.key(); });
@@ -154,7 +155,7 @@ RoofTargets make_roof_targets(const City& city, const HouseWalls& walls) {
     if (last_segment > first_segment) roots.push_back(add_chain(targets.tree, first_segment, last_segment, h));
   }
   targets.houses = static_cast<std::uint32_t>(city.buildings.size());
-  add_ground_targets(city, targets.houses, targets, roots);
+  if (least_m <= 0) add_ground_targets(city, targets.houses, targets, roots);
   targets.tree.root = join_trees(targets.tree, roots);
   return targets;
 }

@@ -54,8 +54,9 @@ struct RoofTargets {
 /// The tops of walls that stand higher than the house behind them: for the sector whose facade it is, else the owner.
 /// For the owner the edges of roofs (roof_edges); on slopes, where one looks down on roofs, all, and the ground
 /// (ground_targets.hpp).
+/// Houses lower than least_m are left out, and, where that is not 0, the ground: landmarks alone.
 /// Needs  `walls` of the same city.
-RoofTargets make_roof_targets(const City& city, const HouseWalls& walls);
+RoofTargets make_roof_targets(const City& city, const HouseWalls& walls, double least_m);
 
 /// The rim of a sector's ground, islands' sides among it, ground on the left.
 SegmentTree rim_of(const Sector& sector);

@@ -47,6 +47,10 @@ void report_over_budget(City& city, const SightLists& lists, std::uint64_t budge
                            city.sectors[s].id, city.sectors[s].origin});
 }
 
+const char* name_of(OverRoofs over_roofs) {
+  return over_roofs == OverRoofs::yes ? "yes" : over_roofs == OverRoofs::landmarks ? "landmarks" : "no";
+}
+
 }  // namespace
 
 void list_visible(City& city, const VisibleOptions& options) {
@@ -55,12 +59,14 @@ void list_visible(City& city, const VisibleOptions& options) {
   report_over_budget(city, level, options.step_budget);
   RoofLists roofs;
   roofs.visible.resize(city.sectors.size());
-  const bool over_roofs = options.over_roofs == OverRoofs::yes ||
-                          (options.over_roofs == OverRoofs::automatic && city.sectors.size() <= kSectorsOverRoofs);
-  city.meta["over_roofs"] = over_roofs ? "yes" : "no";
-  if (over_roofs) {
+  const OverRoofs over_roofs = options.over_roofs != OverRoofs::automatic ? options.over_roofs
+                               : city.sectors.size() <= kSectorsOverRoofs ? OverRoofs::yes
+                                                                          : OverRoofs::no;
+  city.meta["over_roofs"] = name_of(over_roofs);
+  if (over_roofs != OverRoofs::no) {
     RoofOptions roof_options;
     roof_options.threads = options.threads;
+    if (over_roofs == OverRoofs::landmarks) roof_options.least_height_m = kLandmark_m;
     roof_options.least_radius_m = options.least_radius_m;
     roofs = sights_over_roofs(city, level, roof_options);
   }

@@ -8,7 +8,9 @@ namespace vicus {
 
 /// Cities of more sectors get no list over roofs unless asked for.
 inline constexpr std::size_t kSectorsOverRoofs = 1500;
-enum class OverRoofs { automatic, yes, no };
+/// Lower houses are not looked for where landmarks alone are asked for.
+inline constexpr double kLandmark_m = 40;
+enum class OverRoofs { automatic, yes, landmarks, no };
 
 struct VisibleOptions {
   unsigned threads = 0;  ///< 0: all cores
@@ -19,7 +21,7 @@ struct VisibleOptions {
 
 /// Fills City::visible: for each sector itself, those behind its gates, those in line of sight, and with the reason
 /// over_roofs those of which houses are seen alone: over roofs, or on the level from behind. By sector, then visible
-/// sector. Sets meta "over_roofs" to yes or no: whether the list over roofs was made.
+/// sector. Sets meta "over_roofs" to yes, landmarks or no: which list over roofs was made.
 ///
 /// Error   a superset of the truth. Raises  404 sight_over_budget where two such sectors list each other unproved.
 /// Needs   sectors with their ids, gates, borders, buildings.

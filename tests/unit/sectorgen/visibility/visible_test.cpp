@@ -66,6 +66,27 @@ TEST(ListVisible, LeavesRoofsOutWhereToldAndSaysSo) {
   EXPECT_LT(on_the_level, sectors_that_name_the_tower());
 }
 
+TEST(ListVisible, ListsLandmarksAlone) {
+  City city = city_with_a_tower();
+  city.buildings[0].height_m = city.buildings[0].eave_m = kLandmark_m - 1;  // seen over roofs, too, and no landmark
+  const auto over_roofs = [&](OverRoofs which) {
+    VisibleOptions options;
+    options.over_roofs = which;
+    list_visible(city, options);
+    std::set<std::pair<std::string, std::string>> sights;  // sector, house
+    for (const auto& v : city.visible)
+      for (const auto& house : v.building_ids) sights.insert({v.sector_id, house});
+    return sights;
+  };
+  const auto none = over_roofs(OverRoofs::no), all = over_roofs(OverRoofs::yes), few = over_roofs(OverRoofs::landmarks);
+  EXPECT_EQ(city.meta["over_roofs"], "landmarks");
+  std::set<std::pair<std::string, std::string>> expected = none;
+  for (const auto& sight : all)
+    if (sight.second == "h4") expected.insert(sight);
+  EXPECT_EQ(few, expected);
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& s) { return s.second == "h0" && !few.contains(s); }));
+}
+
 TEST(ListVisible, NamesAHouseSeenOnTheLevelWhoseSectorIsNot) {
   City city = city_with_a_tower();
   VisibleOptions options;
