@@ -166,6 +166,46 @@ std::vector<Ring> simple_rings(const Ring& walk) {
   return rings;
 }
 
+std::vector<Ring> simple_rings(const std::vector<Ring>& walks) {
+  std::map<std::pair<PlanPoint, PlanPoint>, int> edges;  // how often walked from the first to the second
+  bool is_cancelled = false;
+  for (const Ring& walk : walks)
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      const PlanPoint a = walk[i], b = walk[i + 1 == walk.size() ? 0 : i + 1];
+      const auto back = edges.find({b, a});
+      if (back == edges.end() || back->second == 0) {
+        ++edges[{a, b}];
+        continue;
+      }
+      --back->second;
+      is_cancelled = true;
+    }
+  std::vector<Ring> rings;
+  const auto take_apart = [&](const Ring& walk) {
+    for (auto& ring : simple_rings(walk)) rings.push_back(std::move(ring));
+  };
+  if (walks.size() < 2 || !is_cancelled) {
+    for (const Ring& walk : walks) take_apart(walk);
+    return rings;
+  }
+  // What is left closes: at each point as many edges begin as end.
+  std::map<PlanPoint, std::vector<PlanPoint>> next;
+  for (const auto& [edge, count] : edges)
+    next[edge.first].insert(next[edge.first].end(), static_cast<std::size_t>(count), edge.second);
+  for (auto& [begin, ways] : next)
+    while (!ways.empty()) {
+      Ring walk;
+      for (PlanPoint at = begin; !next[at].empty();) {
+        walk.push_back(at);
+        const PlanPoint to = next[at].back();
+        next[at].pop_back();
+        at = to;
+      }
+      take_apart(walk);
+    }
+  return rings;
+}
+
 void canonicalise(Ring& ring) { std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end()); }
 
 std::vector<Polygon> assemble(std::vector<Ring> rings) {

@@ -33,6 +33,9 @@ double diameter_m(const Ring& hull);
 /// simple rings: counter-clockwise ones are outer, clockwise ones holes. Edges walked both ways cancel.
 std::vector<Ring> simple_rings(const Ring& walk);
 
+/// The same for all walks of one polygon: rounding may have laid a hole's edge on the outer ring, or on another hole's.
+std::vector<Ring> simple_rings(const std::vector<Ring>& walks);
+
 /// Polygons from simple rings: every hole goes to the smallest outer ring around it. Order: by smallest vertex.
 std::vector<Polygon> assemble(std::vector<Ring> rings);
 

@@ -75,11 +75,10 @@ void for_features(const std::vector<NodedPart>& map, const Bends& bends, Visit v
   for (std::size_t i = 0; i < map.size();) {
     const MapLayer layer = map[i].layer;
     const std::uint32_t feature = map[i].feature;
-    std::vector<Ring> rings;
+    std::vector<Ring> walks;
     for (; i < map.size() && map[i].layer == layer && map[i].feature == feature; ++i)
-      if (layer != MapLayer::kerb)
-        for (auto& ring : simple_rings(bends.apply(map[i].points))) rings.push_back(std::move(ring));
-    for (auto& polygon : assemble(std::move(rings))) visit(layer, feature, std::move(polygon));
+      if (layer != MapLayer::kerb) walks.push_back(bends.apply(map[i].points));
+    for (auto& polygon : assemble(simple_rings(walks))) visit(layer, feature, std::move(polygon));
   }
 }
 

@@ -46,7 +46,6 @@ class CutOutline {
                                      [](const CutSide& s, const auto& t) { return std::tie(s.a, s.b) < t; });
     return at != sides_.end() && at->a == a && at->b == b ? &*at : nullptr;
   }
-  const std::vector<CutSide>& all() const { return sides_; }
 
  private:
   std::vector<CutSide> sides_;

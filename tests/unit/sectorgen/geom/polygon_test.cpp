@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 namespace vicus {
 namespace {
@@ -35,6 +36,42 @@ TEST(SimpleRings, LosesNoArea) {
     for (const auto& ring : simple_rings(walk)) sum += area2(ring);
     EXPECT_TRUE(sum == area2(walk));
   }
+}
+
+TEST(SimpleRings, OpensAHoleThatLiesOnTheOuterRing) {
+  // A square; its hole, clockwise, has the square's right side for one of its own.
+  const std::vector<Ring> walks{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{9, 0}, {5, 4}, {9, 9}}};
+  const auto polygons = assemble(simple_rings(walks));
+  ASSERT_EQ(polygons.size(), 1u);
+  EXPECT_TRUE(polygons[0].holes.empty());
+  EXPECT_EQ(polygons[0].outer, (Ring{{0, 0}, {9, 0}, {5, 4}, {9, 9}, {0, 9}}));
+}
+
+TEST(SimpleRings, LoseNoAreaAndWalkNoEdgeBothWays) {
+  int cancelled = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_int_distribution<std::int32_t> draw(0, 3);
+    std::vector<Ring> walks(3);
+    Int128 expected = 0, sum = 0;
+    std::size_t walked = 0, left = 0;
+    for (Ring& walk : walks) {
+      for (int i = 0; i < 8; ++i) walk.push_back({draw(random), draw(random)});
+      expected += area2(walk);
+      walked += walk.size();
+    }
+    std::set<std::pair<PlanPoint, PlanPoint>> edges;
+    for (const Ring& ring : simple_rings(walks)) {
+      sum += area2(ring);
+      left += ring.size();
+      for (std::size_t i = 0; i < ring.size(); ++i) edges.insert({ring[i], ring[(i + 1) % ring.size()]});
+    }
+    EXPECT_TRUE(sum == expected);
+    for (const auto& [a, b] : edges) EXPECT_FALSE(edges.contains({b, a}));
+    cancelled += left < walked;
+  }
+  EXPECT_GT(cancelled, 100);
 }
 
 TEST(Locate, TellsInsideOutsideAndBoundary) {
