@@ -14,9 +14,9 @@ namespace vicus {
 /// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
 inline constexpr double kLevelRanges_m[] = {30, 130, 250};
 
-/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: an opening takes some 120
-/// bytes in all levels (Montmartre), 90 of them in the fourth.
-inline constexpr int kMostDeepOpenings = 1300;
+/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: all that a sector sends is 120
+/// bytes an opening (Montmartre) to 191 (the most in Paris of those with a thousand), 90 of them in the fourth level.
+inline constexpr int kMostDeepOpenings = 1050;
 /// 4, or 3 in such a sector.
 int finest_level(const CityIndex& index, const Sector& sector);
 
