@@ -1,5 +1,6 @@
 #include "city_db/prism_tile.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 
@@ -51,11 +52,84 @@ class VarintSource {
   std::size_t at_ = 0;
 };
 
-/// Kinds with a ridge have four points; the tent and the flat roof any.
+/// Kinds with a ridge have four points; the tent, the flat and the faceted roof any.
 bool has_right_points(const PrismHouse& house) {
-  if (house.kind == PrismKind::flat) return true;
+  if (house.kind == PrismKind::flat || house.kind == PrismKind::faceted) return true;
   if (house.rings.size() != 1) return false;
   return house.kind == PrismKind::tent || house.rings[0].size() == 4;
+}
+
+std::vector<PlanPoint> points_of(const std::vector<std::vector<PlanPoint>>& rings) {
+  std::vector<PlanPoint> out;
+  for (const auto& ring : rings) out.insert(out.end(), ring.begin(), ring.end());
+  return out;
+}
+
+bool read_point(VarintSource (&in)[PRISM_STREAMS], const std::vector<PlanPoint>& corners, std::int64_t& anchor,
+                PrismPoint& point) {
+  anchor += in[PRISM_STREAM_ANCHOR].next_signed();
+  if (anchor < 0 || anchor >= static_cast<std::int64_t>(corners.size())) return false;
+  const PlanPoint near = corners[static_cast<std::size_t>(anchor)];
+  const std::int64_t x = near.x + in[PRISM_STREAM_OFFSET].next_signed(),
+                     y = near.y + in[PRISM_STREAM_OFFSET].next_signed(), up = in[PRISM_STREAM_RISE].next_signed();
+  if (!in[PRISM_STREAM_OFFSET].is_good || std::abs(x) > kMostCoordinate || std::abs(y) > kMostCoordinate ||
+      std::abs(up) > static_cast<std::int64_t>(kMostHeight))
+    return false;
+  point = {{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, static_cast<std::int32_t>(up)};
+  return true;
+}
+
+bool read_facet(VarintSource& in, std::size_t corners, std::int64_t& first, PrismFacet& facet) {
+  const std::uint64_t shape = in.next();
+  facet.is_gable = shape % 2 == 1;
+  std::int64_t corner = first;
+  for (std::uint64_t n = shape / 2 + 3; n > 0; --n) {
+    corner += in.next_signed();
+    if (!in.is_good || corner < 0 || corner >= static_cast<std::int64_t>(corners)) return false;
+    if (facet.corners.empty()) first = corner;
+    facet.corners.push_back(static_cast<std::uint32_t>(corner));
+  }
+  return true;
+}
+
+/// `in` stands behind the rings.
+bool read_facets(VarintSource (&in)[PRISM_STREAMS], PrismHouse& house) {
+  const std::uint64_t points = in[PRISM_STREAM_SHAPE].next(), facets = in[PRISM_STREAM_SHAPE].next();
+  const std::vector<PlanPoint> corners = points_of(house.rings);
+  std::int64_t anchor = 0, first = 0;
+  for (std::uint64_t i = 0; i < points; ++i)
+    if (!read_point(in, corners, anchor, house.points.emplace_back())) return false;
+  for (std::uint64_t i = 0; i < facets; ++i)
+    if (!read_facet(in[PRISM_STREAM_FACET], corners.size() + house.points.size(), first, house.facets.emplace_back()))
+      return false;
+  return true;
+}
+
+void append_facets(std::string (&streams)[PRISM_STREAMS], const PrismHouse& house) {
+  append_varint(streams[PRISM_STREAM_SHAPE], house.points.size());
+  append_varint(streams[PRISM_STREAM_SHAPE], house.facets.size());
+  const std::vector<PlanPoint> corners = points_of(house.rings);
+  std::int64_t before = 0;
+  for (const PrismPoint& p : house.points) {
+    const std::size_t anchor = nearest_to(p.at, corners);
+    append_signed(streams[PRISM_STREAM_ANCHOR], static_cast<std::int64_t>(anchor) - before);
+    before = static_cast<std::int64_t>(anchor);
+    append_signed(streams[PRISM_STREAM_OFFSET], std::int64_t{p.at.x} - corners[anchor].x);
+    append_signed(streams[PRISM_STREAM_OFFSET], std::int64_t{p.at.y} - corners[anchor].y);
+    append_signed(streams[PRISM_STREAM_RISE], p.up);
+  }
+  std::int64_t first = 0;
+  for (const PrismFacet& facet : house.facets) {
+    assert(facet.corners.size() >= 3);
+    append_varint(streams[PRISM_STREAM_FACET], 2 * (facet.corners.size() - 3) + (facet.is_gable ? 1 : 0));
+    std::int64_t corner = first;
+    for (const std::uint32_t next : facet.corners) {
+      assert(next < corners.size() + house.points.size());
+      append_signed(streams[PRISM_STREAM_FACET], std::int64_t{next} - corner);
+      corner = next;
+    }
+    first = facet.corners[0];
+  }
 }
 
 bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& ground, std::size_t colours,
@@ -80,8 +154,11 @@ bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& 
       if (r == 0 && i == 0) at = p;
     }
   }
+  const bool is_faceted = house.kind == PrismKind::faceted;
+  if (is_faceted && !read_facets(in, house)) return false;
   ground += in[PRISM_STREAM_GROUND].next_signed();
-  const std::uint64_t eave = in[PRISM_STREAM_EAVE].next(), rise = in[PRISM_STREAM_RISE].next();
+  const std::uint64_t eave = in[PRISM_STREAM_EAVE].next(),
+                      rise = is_faceted ? highest_of(house.points) : in[PRISM_STREAM_RISE].next();
   const std::uint64_t wall = in[PRISM_STREAM_COLOUR].next(), roof = in[PRISM_STREAM_COLOUR].next();
   if (std::abs(ground) > static_cast<std::int64_t>(kMostHeight) || eave > kMostHeight || rise > kMostHeight ||
       wall >= colours || roof >= colours)
@@ -97,6 +174,19 @@ bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& 
 }
 
 }  // namespace
+
+std::size_t nearest_to(PlanPoint p, const std::vector<PlanPoint>& points) {
+  const auto away = [p](PlanPoint q) { return std::abs(std::int64_t{q.x} - p.x) + std::abs(std::int64_t{q.y} - p.y); };
+  const auto least =
+      std::min_element(points.begin(), points.end(), [&](PlanPoint a, PlanPoint b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(least - points.begin());
+}
+
+std::uint32_t highest_of(const std::vector<PrismPoint>& points) {
+  std::int32_t most = 0;
+  for (const PrismPoint& p : points) most = std::max(most, p.up);
+  return static_cast<std::uint32_t>(most);
+}
 
 std::string encode_prisms(const PrismTile& tile) {
   std::string streams[PRISM_STREAMS];
@@ -120,7 +210,13 @@ std::string encode_prisms(const PrismTile& tile) {
     append_signed(streams[PRISM_STREAM_GROUND], std::int64_t{house.ground} - ground);
     ground = house.ground;
     append_varint(streams[PRISM_STREAM_EAVE], house.eave);
-    append_varint(streams[PRISM_STREAM_RISE], house.rise);
+    if (house.kind == PrismKind::faceted) {
+      assert(house.rise == highest_of(house.points));
+      append_facets(streams, house);
+    } else {
+      assert(house.points.empty() && house.facets.empty());
+      append_varint(streams[PRISM_STREAM_RISE], house.rise);
+    }
     append_varint(streams[PRISM_STREAM_COLOUR], house.wall);
     append_varint(streams[PRISM_STREAM_COLOUR], house.roof);
   }
@@ -171,7 +267,8 @@ std::optional<PrismTile> decode_prisms(std::string_view bytes) {
     at += lengths[i];
     return VarintSource(part);
   };
-  VarintSource in[PRISM_STREAMS] = {stream(0), stream(1), stream(2), stream(3), stream(4), stream(5), stream(6)};
+  VarintSource in[PRISM_STREAMS] = {stream(0), stream(1), stream(2), stream(3), stream(4),
+                                    stream(5), stream(6), stream(7), stream(8), stream(9)};
   PlanPoint first;
   std::int64_t ground = 0;
   for (std::size_t i = 0; i < houses; ++i)

@@ -79,6 +79,18 @@ struct HouseMesh {
     }
   }
 
+  void add_own_roof() const {
+    std::vector<std::uint32_t> corners;
+    for (const auto& ring : house.rings)
+      for (const PlanPoint p : ring) corners.push_back(at(p.x, p.y, eave_m));
+    for (const PrismPoint& p : house.points)
+      corners.push_back(at(p.at.x, p.at.y, eave_m + metres(tile.up_step_mm) * p.up));
+    for (const PrismFacet& facet : house.facets)
+      for (std::size_t k = 2; k < facet.corners.size(); ++k)
+        add(facet.is_gable ? wall : roof, corners[facet.corners[0]], corners[facet.corners[k - 1]],
+            corners[facet.corners[k]]);
+  }
+
   /// A ridge between the middles of the shorter sides, drawn in by `share` of half their length.
   void add_ridged(bool is_hipped) const {
     const auto& ring = house.rings[0];
@@ -124,6 +136,8 @@ void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
       h.add_flat();
     else if (house.kind == PrismKind::tent)
       h.add_tent();
+    else if (house.kind == PrismKind::faceted)
+      h.add_own_roof();
     else
       h.add_ridged(house.kind == PrismKind::hipped);
   }

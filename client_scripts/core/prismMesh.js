@@ -25,7 +25,8 @@ export function addPrism(builder, house, layout) {
     addWalls(builder, house);
     const roofs = {
         [layout.PRISM_KIND_FLAT]: addFlatRoof, [layout.PRISM_KIND_TENT]: addTent,
-        [layout.PRISM_KIND_GABLED]: addGabledRoof, [layout.PRISM_KIND_HIPPED]: addHippedRoof };
+        [layout.PRISM_KIND_GABLED]: addGabledRoof, [layout.PRISM_KIND_HIPPED]: addHippedRoof,
+        [layout.PRISM_KIND_FACETED]: addOwnRoof };
     roofs[house.kind](builder, house);
 }
 
@@ -52,6 +53,16 @@ function addSlope(builder, roof, positions) {
 function addTent(builder, { rings: [ring], eave, top, roof }) {
     const sum = ring.reduce((a, b) => [a[0] + b[0], a[1] + b[1]]), apex = sum.map(value => value / ring.length);
     ring.forEach((a, i) => addSlope(builder, roof, [at(a, eave), at(ring[(i + 1) % ring.length], eave), at(apex, top)]));
+}
+
+function addOwnRoof(builder, { rings, points, facets, eave, roof, wall }) {
+    const corners = [...rings.flat().map(point => at(point, eave)), ...points.map(([x, y, up]) => at([x, y], up))];
+    const gable = linear(wall, kSurfaces.wall);
+    for (const { isGable, corners: numbers } of facets) {
+        const positions = numbers.map(i => corners[i]);
+        if (isGable) builder.face(positions, gable, positions.map(() => [0, 0]));
+        else addSlope(builder, roof, positions);
+    }
 }
 
 /** Its points, from one of the two longer sides on, and the ridge over the middles of the shorter ones. */

@@ -19,10 +19,17 @@ class VarintSource {
     }
 }
 
+/** So many things that each take a byte of a stream or more. */
+function checked(count, { bytes, at }) {
+    if (count > bytes.length - at) throw new Error('prism tile: a stream ends too soon');
+    return count;
+}
+
 /**
  * A prism tile (city_db/FORMAT.md) as { corner: [m, m], side, error, houses }; each house { kind, owned, quadrant, rings, ground, eave, top,
  * wall, roof }: rings of [east, north] in metres from the corner, heights in metres above the plan frame's 0, colours
- * [r, g, b]. `layout`: of prism_tile_layout.h. Throws an Error that says what is wrong with the bytes.
+ * [r, g, b]; with its own roof also `points` [east, north, up] and `facets` { isGable, corners }: numbers of the rings' points in their
+ * order, then of `points`. `layout`: of prism_tile_layout.h. Throws an Error that says what is wrong with the bytes.
  */
 export function decodePrisms(bytes, layout) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -43,11 +50,36 @@ export function decodePrisms(bytes, layout) {
         return new VarintSource(bytes.subarray(at - length, at));
     });
     if (at !== bytes.length) throw new Error(`prism tile: expected ${at} bytes, found ${bytes.length}`);
-    const [shapes, east, north, grounds, eaves, rises, colours] = streams;
+    const [shapes, east, north, grounds, eaves, rises, colours, anchors, offsets, facetCorners] = streams;
     let first = [0, 0], ground = 0;
+    /** Points of a roof beside the rings', [steps, steps, steps above the eave], and its facets by numbers of both. */
+    const readFacets = corners => {
+        const counts = [shapes.next(), shapes.next()];
+        const known = i => {
+            if (!(i >= 0 && i < corners.length)) throw new Error('prism tile: a corner that the house does not have');
+            return corners[i];
+        };
+        let anchor = 0, firstCorner = 0;
+        const points = Array.from({ length: checked(counts[0], offsets) }, () => {
+            const [x, y] = known(anchor += anchors.nextSigned());
+            return [x + offsets.nextSigned(), y + offsets.nextSigned(), rises.nextSigned()];
+        });
+        corners = [...corners, ...points];
+        const facets = Array.from({ length: checked(counts[1], facetCorners) }, () => {
+            const shape = facetCorners.next(), list = [];
+            let corner = firstCorner;
+            for (let n = Math.floor(shape / 2) + 3; n > 0; --n) {
+                known(corner += facetCorners.nextSigned());
+                list.push(corner);
+            }
+            firstCorner = list[0];
+            return { isGable: shape % 2 === 1, corners: list };
+        });
+        return { points, facets };
+    };
     const readHouse = () => {
         const shape = shapes.next();
-        const rings = [];
+        const rings = [], kind = shape % 8;
         let [x, y] = first;
         for (let r = Math.floor(shape / layout.PRISM_RINGS); r >= 0; --r) {
             const ring = [];
@@ -55,16 +87,21 @@ export function decodePrisms(bytes, layout) {
                 x += east.nextSigned();
                 y += north.nextSigned();
                 if (rings.length === 0 && ring.length === 0) first = [x, y];
-                ring.push([x * step, y * step]);
+                ring.push([x, y]);
             }
             rings.push(ring);
         }
+        const own = kind === layout.PRISM_KIND_FACETED ? readFacets(rings.flat()) : null;
         ground += grounds.nextSigned();
-        const low = base + ground * upStep, eave = low + eaves.next() * upStep, top = eave + rises.next() * upStep;
+        const low = base + ground * upStep, eave = low + eaves.next() * upStep;
+        const top = eave + upStep * (own ? own.points.reduce((most, [, , up]) => Math.max(most, up), 0) : rises.next());
         const [wall, roof] = [palette[colours.next()], palette[colours.next()]];
         if (!wall || !roof) throw new Error('prism tile: a colour that the palette does not have');
         const quadrant = Math.floor(shape / layout.PRISM_QUADRANT) % layout.PRISM_QUADRANTS;
-        return { kind: shape % 8, owned: (shape & layout.PRISM_OWNED) !== 0, quadrant, rings, ground: low, eave, top, wall, roof };
+        const inMetres = rings.map(ring => ring.map(point => point.map(value => value * step)));
+        const house = { kind, owned: (shape & layout.PRISM_OWNED) !== 0, quadrant, rings: inMetres, ground: low, eave, top, wall, roof };
+        if (!own) return house;
+        return { ...house, points: own.points.map(([x, y, up]) => [x * step, y * step, eave + up * upStep]), facets: own.facets };
     };
     const houses = Array.from({ length: view.getUint32(layout.PRISM_HOUSES_AT, true) }, readHouse);
     return {

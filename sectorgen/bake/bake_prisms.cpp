@@ -4,78 +4,17 @@
 #include <cmath>
 #include <map>
 
-#include "city_db/segment.hpp"
+#include "sectorgen/bake/prism_footprint.hpp"
+#include "sectorgen/bake/prism_roof.hpp"
 
 namespace vicus {
 namespace {
 
 constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 512, kUpStep_mm = 100;
 constexpr std::size_t kMostColours = 4096;
-
-/// Douglas and Peucker between two points kept; the last is left to the caller.
-void append_simplified(const Ring& ring, std::size_t first, std::size_t last, double tolerance_mm, Ring& out) {
-  std::size_t farthest = first;
-  double distance = tolerance_mm;
-  const auto at = [&](std::size_t i) { return ring[i % ring.size()]; };
-  for (std::size_t i = first + 1; i < last; ++i)
-    if (const double d = distance_to_segment_mm(at(i), at(first), at(last)); d > distance) farthest = i, distance = d;
-  if (farthest == first) {
-    out.push_back(at(first));
-    return;
-  }
-  append_simplified(ring, first, farthest, tolerance_mm, out);
-  append_simplified(ring, farthest, last, tolerance_mm, out);
-}
-
-/// Starts from the two points that are farthest apart along both axes, so that where a ring begins does not matter.
-Ring simplified(const Ring& ring, double tolerance_mm) {
-  const auto lowest = static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
-  std::size_t farthest = lowest;
-  double most = -1;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const double d = std::hypot(double(ring[i].x) - ring[lowest].x, double(ring[i].y) - ring[lowest].y);
-    if (d > most) most = d, farthest = i;
-  }
-  const std::size_t middle = farthest < lowest ? farthest + ring.size() : farthest;
-  Ring out;
-  append_simplified(ring, lowest, middle, tolerance_mm, out);
-  append_simplified(ring, middle, lowest + ring.size(), tolerance_mm, out);
-  return out;
-}
-
-std::int32_t steps_from(std::int64_t mm, std::int64_t corner_mm, std::int64_t step_mm) {
-  // Rounded on a lattice through the plan's origin, not the tile's corner: the corner is on it (sides are 128 m x 2^k).
-  const auto rounded = [&](std::int64_t v) {
-    return static_cast<std::int64_t>(std::floor(double(v) / double(step_mm) + 0.5));
-  };
-  return static_cast<std::int32_t>(rounded(mm) - rounded(corner_mm));
-}
-
-double doubled_area(const std::vector<PlanPoint>& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const PlanPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += double(a.x) * b.y - double(a.y) * b.x;
-  }
-  return sum;
-}
-
-std::vector<std::vector<PlanPoint>> rounded_rings(const Polygon& footprint, PlanPoint corner, std::int64_t step_mm) {
-  std::vector<std::vector<PlanPoint>> out;
-  const auto add = [&](const Ring& ring) {
-    std::vector<PlanPoint> points;
-    for (const PlanPoint p : simplified(ring, double(step_mm) / 2)) {
-      const PlanPoint q{steps_from(p.x, corner.x, step_mm), steps_from(p.y, corner.y, step_mm)};
-      if (points.empty() || points.back() != q) points.push_back(q);
-    }
-    if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-    if (points.size() >= 3 && doubled_area(points) != 0) out.push_back(std::move(points));
-    return !out.empty();
-  };
-  if (!add(footprint.outer)) return out;
-  for (const auto& hole : footprint.holes) add(hole);
-  return out;
-}
+/// A house's own roof takes four times the bytes of a simple one: it is for tiles that are seen from near.
+constexpr std::uint32_t kOwnRoofStep_mm = 250;
+constexpr double kOwnRoofSteps = 0.5;  // where the nearest simple roof errs by more
 
 /// The simple roof over a place, steps above the eave. `rings` and the place in steps.
 double rise_at(const PrismHouse& house, double x, double y) {
@@ -232,7 +171,10 @@ PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t ti
     const std::int64_t half = tile_side_mm / 2;
     if (prism.is_owned)
       prism.quadrant = static_cast<std::uint8_t>((mx >= box.min.x + half ? 1 : 0) + (my >= box.min.y + half ? 2 : 0));
-    const double roof = choose_roof(house, corner, metres(tile.step_mm), prism);
+    double roof = choose_roof(house, corner, metres(tile.step_mm), prism);
+    if (tile.step_mm <= kOwnRoofStep_mm && roof > kOwnRoofSteps * metres(tile.step_mm) &&
+        set_own_roof(house, corner, tile.step_mm, tile.up_step_mm, prism))
+      roof = metres(tile.up_step_mm) / 2;
     error = std::max(error, roof + metres(tile.step_mm) * 1.25);  // half a step cut, 0.71 rounded
     base = std::min(base, house.ground_m);
     found.push_back({z_order(prism.rings[0][0]), i, std::move(prism)});

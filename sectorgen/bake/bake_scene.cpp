@@ -113,8 +113,10 @@ void hash_shape(const Building& house, KeyHash& hash) {
     hash.add(grid_key(p.at.x, p.at.y));
     hash.add(static_cast<std::uint32_t>(p.up));
   }
-  for (const RoofFacet& facet : house.roof.facets)
+  for (const RoofFacet& facet : house.roof.facets) {
+    hash.add(static_cast<std::uint64_t>(facet.kind));
     for (const std::uint32_t i : facet.triangles) hash.add(i);
+  }
   for (const double v : {house.ground_m, house.eave_m, house.height_m}) add_double(hash, v);
   hash.add(packed(house.wall_colour));
   hash.add(packed(house.roof_colour));
@@ -182,6 +184,7 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
     out.wall_colour = house.wall_colour;
     out.roof_colour = house.roof_colour;
     add_roof(house, out);
+    out.facets = house.roof;
     KeyHash hash;
     hash_shape(house, hash);
     const auto own = facades.find(house.id);

@@ -50,6 +50,7 @@ struct BakeHouse {
   std::vector<UpPlane> planes;
   std::vector<Colour> lit_roof;    ///< the roof's colour as each plane shows it
   std::vector<BakeTriangle> roof;  ///< covers the footprint once
+  Roof facets;                     ///< the same as the city has it, gables too; heights above the ground
   std::vector<BakeWall> walls;
   std::vector<BakeFacade> facades;
   std::uint64_t key = 0;  ///< of all of this

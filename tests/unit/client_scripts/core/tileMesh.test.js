@@ -69,6 +69,17 @@ test('a house is closed and its faces look outwards: its volume is that of its p
     near(volumeOf(closed(houseOf(kLayout.PRISM_KIND_FLAT, [ring, yard], { eave: 9, top: 9 }))), (20 * 10 - 6 * 4) * 8, 0.01);
 });
 
+test('a house with its own roof is as closed, and its gables have the walls\' colour', () => {
+    const ring = [[2, 1], [22, 1], [22, 11], [2, 11]];
+    const points = [[22, 6, 13], [2, 6, 13]], facets = [[0, 1, 4, 5], [2, 3, 5, 4], [1, 2, 4], [3, 0, 5]].map((corners, i) => ({ isGable: i > 1, corners }));
+    const mesh = closed(houseOf(kLayout.PRISM_KIND_FACETED, [ring], { points, facets }));
+    near(volumeOf(mesh), 20 * 10 * 8 + 20 * 10 * 4 / 2, 0.01);
+    const steep = [...Array(mesh.positions.length / 3).keys()].filter(i => mesh.positions[3 * i + 1] > 12.9);
+    const isWall = i => Math.abs(mesh.colours[4 * i] - 200 / 255) < 1e-6;
+    assert.equal(steep.filter(isWall).length, 2);
+    assert.equal(steep.filter(i => !isWall(i)).length, 4);
+});
+
 test('normals are of length 1 and at right angles to their faces', () => {
     const { positions, normals, indices } = closed(houseOf(kLayout.PRISM_KIND_HIPPED, [[[0, 0], [12, 3], [10, 9], [-1, 6]]]));
     for (let i = 0; i < indices.length; i += 3) {

@@ -20,21 +20,25 @@ function dump(which) {
 test('a layout header is read as it stands', () => {
     assert.equal(kBlockMap.BLOCKMAP_MAGIC, 0x31504d42);
     assert.equal(kBlockMap.BLOCKMAP_HEADER_BYTES, 84);
-    assert.equal(kPrisms.PRISM_STREAMS, 7);
+    assert.equal(kPrisms.PRISM_STREAMS, 10);
 });
 
 test('the prism tile of FORMAT.md is read as C++ wrote it', () => {
     const tile = decodePrisms(dump(2), kPrisms);
     assert.deepEqual(tile.corner, [-128, 0]);
     assert.equal(tile.side, 128);
-    assert.equal(tile.houses.length, 2);
-    const [gabled, flat] = tile.houses;
+    assert.equal(tile.houses.length, 3);
+    const [gabled, flat, own] = tile.houses;
     assert.deepEqual(gabled.rings, [[[10, 65], [20, 65], [20, 73], [10, 73]]]);
     assert.equal(gabled.kind, kPrisms.PRISM_KIND_GABLED);
     assert.deepEqual([gabled.owned, flat.owned], [true, false]);
     assert.deepEqual([gabled.quadrant, flat.quadrant], [2, 0]);
     assert.ok(Math.abs(gabled.eave - 8.7) < 1e-9 && Math.abs(gabled.top - 11.8) < 1e-9);
     assert.deepEqual(gabled.roof, [150, 70, 50]);
+    assert.equal(own.kind, kPrisms.PRISM_KIND_FACETED);
+    assert.ok(Math.abs(own.top - own.eave - 2) < 1e-9);
+    assert.deepEqual(own.points.map(([x, y]) => [x, y]), [[70, 80]]);
+    assert.deepEqual(own.facets, [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 3]].map((corners, i) => ({ isGable: i === 2, corners })));
     assert.deepEqual(flat.rings[1], [[2.5, 32.5], [2.5, 37.5], [7.5, 37.5], [7.5, 32.5]]);
 });
 
@@ -66,6 +70,24 @@ test('the ground tile of FORMAT.md is read as C++ wrote it, and no other', () =>
     for (const change of [b => b.subarray(1), b => b.subarray(0, -1), b => (b[kGround.GROUND_VERSION_AT] = 9, b),
         b => (b[kGround.GROUND_NODES_AT] = 4, b), b => b.subarray(0, 20)])
         assert.throws(() => decodeGround(change(dump(3).slice()), kGround), Error);
+});
+
+test('damaged prisms are refused or read, never for long', () => {
+    for (let seed = 1; seed <= 3000; ++seed) {
+        const bytes = dump(2).slice();
+        for (let n = 0, state = seed; n < 3; ++n) {
+            state = (state * 1103515245 + 12345) % 2147483648;
+            bytes[88 + state % (bytes.length - 88)] = state >> 8;
+        }
+        let tile = null;
+        try {
+            tile = decodePrisms(bytes, kPrisms);
+        } catch (error) {
+            assert.match(error.message, /prism tile/);
+        }
+        for (const { rings, points, facets } of tile?.houses ?? [])
+            for (const { corners } of facets ?? []) assert.ok(corners.every(i => i >= 0 && i < rings.flat().length + points.length), `seed ${seed}`);
+    }
 });
 
 test('prisms of version 1, which knew no quadrants, are refused by name', () => {

@@ -331,6 +331,59 @@ TEST(PrismTile, HasEveryHouseWholeAndOwnedOnce) {
   EXPECT_GT(all, owned);  // some stand on a seam
 }
 
+/// Facets of a house's own roof lie no farther from the true one than the tile says, and close it with its walls.
+TEST(PrismTile, HasOwnRoofsThatAreClosedAndKeepItsStoredError) {
+  std::size_t roofs = 0, points = 0;
+  double worst_share = 0;
+  for (const PlanPoint corner : town_tiles()) {
+    const PrismTile tile = bake_prisms(town_scene(), corner, kTile_mm);
+    const PlanBox box{{corner.x - 60'000, corner.y - 60'000}, {corner.x + 188'000, corner.y + 188'000}};
+    const TrueCity truth(town_scene(), box);
+    const double error = tile.error_mm / 1000.0;
+    for (const PrismHouse& house : tile.houses) {
+      if (house.kind != PrismKind::faceted || !house.is_owned) continue;
+      ++roofs;
+      std::vector<std::array<double, 3>> corners;
+      const double eave = tile.base_mm + double(tile.up_step_mm) * (house.ground + std::int64_t{house.eave});
+      const auto add = [&](PlanPoint at, std::int32_t up) {
+        corners.push_back({(corner.x + double(tile.step_mm) * at.x) / 1000,
+                           (corner.y + double(tile.step_mm) * at.y) / 1000, (eave + tile.up_step_mm * up) / 1000});
+      };
+      std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+      for (const auto& ring : house.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto first = static_cast<std::uint32_t>(corners.size() - i);
+          add(ring[i], 0);
+          --edges[{first + static_cast<std::uint32_t>(i), first + static_cast<std::uint32_t>((i + 1) % ring.size())}];
+        }
+      for (const PrismPoint& p : house.points) add(p.at, p.up);
+      for (const PrismFacet& facet : house.facets)
+        for (std::size_t k = 0; k < facet.corners.size(); ++k) {
+          const std::uint32_t a = facet.corners[k], b = facet.corners[(k + 1) % facet.corners.size()];
+          if (edges[{b, a}] > 0)
+            --edges[{b, a}];
+          else
+            ++edges[{a, b}];
+          // The middle of each triangle of the fan, and of its first side.
+          if (k < 2) continue;
+          const auto &p = corners[facet.corners[0]], &q = corners[facet.corners[k - 1]], &r = corners[a];
+          for (const double share : {1.0 / 3, 0.0}) {
+            std::array<double, 3> at{};
+            for (std::size_t i = 0; i < 3; ++i) at[i] = share * r[i] + (1 - share) / 2 * (p[i] + q[i]);
+            const double distance = truth.distance(at[0], at[1], at[2], error + 5);
+            EXPECT_LE(distance, error + 0.002) << at[0] << ' ' << at[1] << ' ' << at[2];
+            worst_share = std::max(worst_share, distance / error);
+            ++points;
+          }
+        }
+      for (const auto& [edge, left] : edges) EXPECT_EQ(left, 0);
+    }
+  }
+  EXPECT_GT(roofs, 20u);
+  EXPECT_GT(points, 500u);
+  EXPECT_GT(worst_share, 0.1);
+}
+
 /// A parent's quadrant has the houses that the child owns: a client draws either, and nothing twice.
 TEST(PrismTile, HasTheHousesOfItsChildrenInItsQuadrants) {
   const int levels = tile_levels(town_scene().box());
