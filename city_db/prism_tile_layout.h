@@ -35,9 +35,9 @@
 // to corner, signed.
 #define PRISM_STREAM_FACET 9
 #define PRISM_KIND_FLAT 0
-#define PRISM_KIND_TENT 1    // to a point over the middle of the outer ring
-#define PRISM_KIND_GABLED 2  // four points: a ridge between the middles of the shorter two sides
-#define PRISM_KIND_HIPPED 3  // four points: the same, drawn in at both ends by half the shorter sides' length
+#define PRISM_KIND_TENT 1     // to a point over the middle of the outer ring
+#define PRISM_KIND_GABLED 2   // four points: a ridge between the middles of the shorter two sides
+#define PRISM_KIND_HIPPED 3   // four points: the same, drawn in at both ends by half the shorter sides' length
 #define PRISM_KIND_FACETED 4  // the house's own roof
 #define PRISM_KINDS 5
 #define PRISM_OWNED 8      // the house's middle lies in the tile: the other tiles it reaches into have it too
