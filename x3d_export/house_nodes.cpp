@@ -104,12 +104,16 @@ std::vector<LevelPiece> pieces_of(const Share& share, PlanPoint origin) {
   return pieces;
 }
 
+int openings_in(const CityIndex& index, const Sector& sector) {
+  int openings = 0;
+  for (const Facade* f : index.facades_of(sector.id)) openings += opening_count(*f);
+  return openings;
+}
+
 }  // namespace
 
 int finest_level(const CityIndex& index, const Sector& sector) {
-  int openings = 0;
-  for (const Facade* f : index.facades_of(sector.id)) openings += opening_count(*f);
-  return openings <= kMostDeepOpenings ? 4 : 3;
+  return openings_in(index, sector) <= kMostDeepOpenings ? 4 : 3;
 }
 
 LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sector) {
@@ -121,8 +125,12 @@ LeveledStretches stretches_with_levels(const CityIndex& index, const Sector& sec
 
 std::vector<LevelPiece> sector_pieces(const CityIndex& index, const Sector& sector) {
   std::vector<LevelPiece> all;
+  const bool has_quads = openings_in(index, sector) <= kMostQuads;
   for (const auto& [id, share] : shares_of(index, sector))
-    for (LevelPiece& piece : pieces_of(share, sector.origin)) all.push_back(std::move(piece));
+    for (LevelPiece& piece : pieces_of(share, sector.origin)) {
+      if (!has_quads) piece.levels[1] = piece.levels[0];
+      all.push_back(std::move(piece));
+    }
   return all;
 }
 

@@ -14,10 +14,14 @@ namespace vicus {
 /// m at which the next coarser level takes over, from 4 to 3, 3 to 2, 2 to 1. docs/houses.md has the measures.
 inline constexpr double kLevelRanges_m[] = {30, 130, 250};
 
-/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: all that a sector sends is 120
-/// bytes an opening (Montmartre) to 191 (the most in Paris of those with a thousand), 90 of them in the fourth level.
+/// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: all that a sector sends is
+/// 120 bytes an opening (Montmartre) to 191 (the most in Paris of those with a thousand), 90 of them in the fourth
+/// level.
 inline constexpr int kMostDeepOpenings = 1050;
-/// 4, or 3 in such a sector.
+/// One with even more has the first level in place of the second: all that it sends is some 33 bytes an opening, half
+/// of them in the second level.
+inline constexpr int kMostQuads = 5000;
+/// 4, or 3 in a sector of more than kMostDeepOpenings.
 int finest_level(const CityIndex& index, const Sector& sector);
 
 /// Stretches of the sector's border, from a to b, whose walls come as LOD nodes: the facades with openings; and at
