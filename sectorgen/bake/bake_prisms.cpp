@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 512, kUpStep_mm = 100;
 constexpr std::size_t kMostColours = 4096;
-/// A house's own roof takes four times the bytes of a simple one: it is for tiles that are seen from near.
+/// A house's own roof takes five times the bytes of a simple one: it is for tiles that are seen from near.
 constexpr std::uint32_t kOwnRoofStep_mm = 250;
 constexpr double kOwnRoofSteps = 0.5;  // where the nearest simple roof errs by more
 

@@ -1,6 +1,7 @@
 #include "sectorgen/visibility/look_map.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -145,6 +146,7 @@ class Overlaps {
   }
   /// Those over a triangle hang together: from one over their sides to all.
   void grow(std::uint32_t cell, std::uint32_t look) {
+    assert(look != kNone);
     first_[cell] = static_cast<std::uint32_t>(found_.size());
     found_.push_back(look);
     asked_[look] = cell;
@@ -231,6 +233,7 @@ Below below_of(const SightMap& sight, std::size_t looks, const Overlaps& overlap
 /// Says what lies below a look's cell by one sector, where that is all, and by pieces.
 void describe(LookCell& look, std::span<const std::uint32_t> below, const SightMap& sight,
               std::vector<GroundPiece>& pieces) {
+  assert(!below.empty());
   const std::uint32_t sector = sight.cells[below.front()].sector;
   const bool is_one =
       std::all_of(below.begin(), below.end(), [&](std::uint32_t c) { return sight.cells[c].sector == sector; });
