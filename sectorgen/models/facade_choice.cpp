@@ -44,7 +44,7 @@ bool is_modern(const Building& house) {
 
 }  // namespace
 
-FacadeStyle style_of(const Building& house) {
+FacadeStyle style_of(const Building& house, const RegionStyle& region) {
   const std::string material = tag(house, "building:material");
   if (is_church(house)) return FacadeStyle::church;
   if (is_shed(house)) return FacadeStyle::shed;
@@ -52,8 +52,10 @@ FacadeStyle style_of(const Building& house) {
   if (material == "stone" || material == "sandstone" || material == "limestone") return FacadeStyle::stone;
   if (is_modern(house)) return FacadeStyle::modern;
   const auto choice = steady_hash("style " + house_of(house)) % 10;
-  if (house.eave_m - house.base_m >= kStoneFrom_m) return choice < 7 ? FacadeStyle::stone : FacadeStyle::plaster;
-  return choice < 9 ? FacadeStyle::plaster : FacadeStyle::brick;
+  const bool is_high = house.eave_m - house.base_m >= kStoneFrom_m;
+  if (is_high && choice < region.stone_of_ten_high) return FacadeStyle::stone;
+  const unsigned bricks = is_high ? region.brick_of_ten_high : region.brick_of_ten_low;
+  return choice >= 10 - bricks ? FacadeStyle::brick : FacadeStyle::plaster;
 }
 
 int floors_of(const Building& house, FacadeStyle style, double height_m) {

@@ -101,7 +101,7 @@ class FacadeLayout {
     if (f.a == f.b) return;
     f.bottom_m = bottom_m;
     f.top_m = top_m;
-    f.style = style_of(house);
+    f.style = style_of(house, region_style(city_.origin));
     if (modelled_.contains(house.id)) {
       if (length_m(f) > kLeastOwn_m && f.top_m - f.bottom_m > kLeastOwn_m) city_.facades.push_back(std::move(f));
       return;
@@ -218,9 +218,10 @@ class FacadeLayout {
 
 void lay_out_facades(City& city, const std::map<std::string, HouseModel>& models) {
   city.facades.clear();
+  const RegionStyle& region = region_style(city.origin);
   for (auto& house : city.buildings) {
-    house.wall_colour = facade_colour(house, style_of(house));
-    house.roof_colour = roof_colour(house);
+    house.wall_colour = facade_colour(house, style_of(house, region), region);
+    house.roof_colour = roof_colour(house, region);
   }
   FacadeLayout(city, models).run();
 }

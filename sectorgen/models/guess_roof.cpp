@@ -11,6 +11,7 @@
 #include "sectorgen/geo/osm_rules.hpp"
 #include "sectorgen/geo/tag_values.hpp"
 #include "sectorgen/geom/polygon.hpp"
+#include "sectorgen/models/region_style.hpp"
 
 namespace vicus {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kRise_m = 3.2, kRisePerWidth = 0.66, kMansardRise_m = 4.6;
 constexpr double kMostRiseShare = 0.375;  // of the height over the base: 0.6 of the eave
 constexpr double kNear_m = 120;
 constexpr std::size_t kVoters = 5, kFewestVoters = 3;
-constexpr double kParisLow_m = 12;
+constexpr double kMansardFrom_m = 12;
 
 using PlanEdge = std::pair<PlanPoint, PlanPoint>;
 
@@ -91,10 +92,6 @@ class TaggedRoofs {
   }
   std::map<std::pair<std::int32_t, std::int32_t>, std::vector<Known>> cells_;
 };
-
-bool is_paris(LatLon origin) {
-  return origin.lat_deg > 48.75 && origin.lat_deg < 48.95 && origin.lon_deg > 2.2 && origin.lon_deg < 2.5;
-}
 
 RoofForm form_by_rule(const Building& b, const PlanRectangle& box) {
   const double area = area_m2(b.footprint);
@@ -169,7 +166,7 @@ void set_rise(const Building& b, const PlanRectangle& box, RoofRequest& request)
 
 std::vector<RoofWish> guess_roofs(const City& city) {
   const TaggedRoofs tagged(city);
-  const bool in_paris = is_paris(city.origin);
+  const bool has_mansards = region_style(city.origin).has_mansards;
   std::vector<PlanEdge> edges;
   for (const auto& b : city.buildings)
     if (b.base_m <= 0) visit_edges(b.footprint, [&](PlanPoint p, PlanPoint q) { edges.push_back({p, q}); });
@@ -192,7 +189,7 @@ std::vector<RoofWish> guess_roofs(const City& city) {
     } else if (const auto voted = tagged.vote(b)) {
       request.form = *voted;
       wishes[i].source = RoofSource::neighbours;
-    } else if (in_paris && b.height_m - b.base_m >= kParisLow_m && box.width_m >= 3) {
+    } else if (has_mansards && b.height_m - b.base_m >= kMansardFrom_m && box.width_m >= 3) {
       request.form = RoofForm::mansard;
       wishes[i].source = RoofSource::preset;
     } else {

@@ -1,7 +1,6 @@
 #include "sectorgen/models/tag_colours.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <span>
 
@@ -175,11 +174,6 @@ constexpr NamedColour kMaterials[] = {{"asphalt", 0x55565a},       {"brick", 0x9
                                       {"tarpaper", 0x4e4d4e},      {"tile", 0xa5573f},   {"tiles", 0xa5573f},
                                       {"timberframing", 0xd9cdb6}, {"wood", 0x92704e},   {"zinc", 0x8e989f}};
 
-// Few, because each makes another image of every pattern.
-constexpr std::uint32_t kPlaster[] = {0xe3d8c1, 0xd9c9a8, 0xe9dfcf, 0xd6cdbd, 0xdcc3a0, 0xd2b896, 0xdcd4c8, 0xe0cdb8};
-constexpr std::uint32_t kStone[] = {0xe3d8c1, 0xd9cbb0, 0xdcd4c8, 0xd2c3a6}, kBrick[] = {0x9c5a45, 0xa9674e, 0x8a5242};
-constexpr std::uint32_t kRoofs[] = {0xa5573f, 0x98503c, 0xb0634a, 0x8e4c3b, 0x59606a, 0x676d73, 0x8a929a};
-
 std::string plain_word(std::string_view text) {
   std::string word;
   for (const char c : text)
@@ -203,6 +197,10 @@ std::optional<Colour> tagged_colour(const Tags& tags, const std::string& what) {
   return std::nullopt;
 }
 
+Colour one_of(std::span<const std::uint32_t> palette, std::uint64_t number) {
+  return colour_of(palette[number % palette.size()]);
+}
+
 }  // namespace
 
 std::optional<Colour> parse_colour(std::string_view text) {
@@ -211,17 +209,18 @@ std::optional<Colour> parse_colour(std::string_view text) {
   return find_colour(kNamed, word);
 }
 
-Colour facade_colour(const Building& building, FacadeStyle style) {
+Colour facade_colour(const Building& building, FacadeStyle style, const RegionStyle& region) {
   if (const auto colour = tagged_colour(building.tags, "building")) return *colour;
   const auto hash = steady_hash(house_of(building));
-  if (style == FacadeStyle::stone) return colour_of(kStone[hash % std::size(kStone)]);
-  if (style == FacadeStyle::brick) return colour_of(kBrick[hash % std::size(kBrick)]);
-  return colour_of(kPlaster[hash % std::size(kPlaster)]);
+  if (style == FacadeStyle::stone) return one_of(region.stone, hash);
+  if (style == FacadeStyle::brick) return one_of(region.brick, hash);
+  return one_of(region.plaster, hash);
 }
 
-Colour roof_colour(const Building& building) {
+Colour roof_colour(const Building& building, const RegionStyle& region) {
   if (const auto colour = tagged_colour(building.tags, "roof")) return *colour;
-  return colour_of(kRoofs[steady_hash("roof " + house_of(building)) % std::size(kRoofs)]);
+  const bool is_flat = building.roof_shape == "flat" || building.roof_shape == "skillion";
+  return one_of(is_flat ? region.flat_roofs : region.steep_roofs, steady_hash("roof " + house_of(building)));
 }
 
 }  // namespace vicus

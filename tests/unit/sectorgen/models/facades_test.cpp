@@ -106,7 +106,7 @@ TEST(StyleOf, ComesFromTagsElseFromHeightSteadyById) {
     Building house;
     house.eave_m = 8;
     house.tags = std::move(tags);
-    return style_of(house);
+    return style_of(house, region_style({}));
   };
   EXPECT_EQ(with({{"building", "church"}}), FacadeStyle::church);
   EXPECT_EQ(with({{"building", "yes"}, {"amenity", "place_of_worship"}}), FacadeStyle::church);
@@ -118,10 +118,10 @@ TEST(StyleOf, ComesFromTagsElseFromHeightSteadyById) {
     Building house;
     house.id = std::to_string(i);
     house.eave_m = 8;
-    EXPECT_EQ(style_of(house), style_of(house));
-    low.insert(style_of(house));
+    EXPECT_EQ(style_of(house, region_style({})), style_of(house, region_style({})));
+    low.insert(style_of(house, region_style({})));
     house.eave_m = 18;
-    high.insert(style_of(house));
+    high.insert(style_of(house, region_style({})));
   }
   EXPECT_EQ(low, (std::set{FacadeStyle::plaster, FacadeStyle::brick}));
   EXPECT_EQ(high, (std::set{FacadeStyle::plaster, FacadeStyle::stone}));

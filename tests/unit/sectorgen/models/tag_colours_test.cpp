@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace vicus {
 namespace {
+
+const RegionStyle& kElsewhere = region_style({});
 
 TEST(ParseColour, ReadsNamesAndHexDigits) {
   EXPECT_EQ(parse_colour("#c8b490"), (Colour{0xc8, 0xb4, 0x90}));
@@ -28,16 +31,16 @@ TEST(HexOf, IsTheInverseOfParseColour) {
 TEST(FacadeColour, ComesFromTheTagElseFromThePaletteSteadyById) {
   Building house;
   house.id = "way/12";
-  const Colour plaster = facade_colour(house, FacadeStyle::plaster);
-  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), plaster);
+  const Colour plaster = facade_colour(house, FacadeStyle::plaster, kElsewhere);
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster, kElsewhere), plaster);
   house.tags["building:colour"] = "no colour at all";
-  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), plaster);
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster, kElsewhere), plaster);
   house.tags["building:material"] = "brick";
-  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), (Colour{0x9c, 0x5a, 0x45}));
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster, kElsewhere), (Colour{0x9c, 0x5a, 0x45}));
   house.tags["building:colour"] = "#102030";
-  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster), (Colour{0x10, 0x20, 0x30}));
+  EXPECT_EQ(facade_colour(house, FacadeStyle::plaster, kElsewhere), (Colour{0x10, 0x20, 0x30}));
   house.tags["roof:colour"] = "maroon";
-  EXPECT_EQ(roof_colour(house), (Colour{128, 0, 0}));
+  EXPECT_EQ(roof_colour(house, kElsewhere), (Colour{128, 0, 0}));
 }
 
 TEST(FacadeColour, VariesFromHouseToHouse) {
@@ -45,11 +48,37 @@ TEST(FacadeColour, VariesFromHouseToHouse) {
   for (int i = 0; i < 200; ++i) {
     Building house;
     house.id = std::to_string(i);
-    facades.insert(facade_colour(house, FacadeStyle::plaster));
-    roofs.insert(roof_colour(house));
+    facades.insert(facade_colour(house, FacadeStyle::plaster, kElsewhere));
+    roofs.insert(roof_colour(house, kElsewhere));
   }
   EXPECT_GE(facades.size(), 7u);
   EXPECT_GE(roofs.size(), 6u);
+}
+
+TEST(RoofColour, IsOfFeltWhereTheRoofIsFlat) {
+  for (const LatLon place : {LatLon{48.88, 2.34}, LatLon{51.51, -0.13}, LatLon{52.37, 4.9}, LatLon{52.52, 13.4}}) {
+    const RegionStyle& region = region_style(place);
+    Building house;
+    house.id = "way/7";
+    const auto is_of = [&](std::span<const std::uint32_t> palette) {
+      const Colour colour = roof_colour(house, region);
+      return std::any_of(palette.begin(), palette.end(), [&](std::uint32_t rgb) { return colour_of(rgb) == colour; });
+    };
+    house.roof_shape = "flat";
+    EXPECT_TRUE(is_of(region.flat_roofs)) << region.name;
+    house.roof_shape = "gabled";
+    EXPECT_TRUE(is_of(region.steep_roofs)) << region.name;
+  }
+}
+
+TEST(RegionStyle, IsTheSmallestThatHasThePlace) {
+  EXPECT_EQ(region_style({48.88, 2.34}).name, "Paris");
+  EXPECT_TRUE(region_style({48.88, 2.34}).has_mansards);
+  EXPECT_EQ(region_style({51.51, -0.13}).name, "the British Isles");
+  EXPECT_EQ(region_style({51.92, 4.48}).name, "the Low Countries");
+  EXPECT_EQ(region_style({41.9, 12.5}).name, "the Mediterranean");
+  EXPECT_EQ(region_style({47.07, 15.44}).name, "Central Europe");
+  EXPECT_FALSE(region_style({47.07, 15.44}).has_mansards);
 }
 
 }  // namespace
