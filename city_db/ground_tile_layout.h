@@ -18,4 +18,4 @@
 #define GROUND_LEAST_NODES 3
 #define GROUND_MOST_NODES 129
 #define GROUND_MOST_PICTURE_SIDE 2048
-#define GROUND_BEYOND_CITY 0xB0AC98  // sRGB: ground that no surface covers
+#define GROUND_BEYOND_CITY 0xA3AC8A  // sRGB: ground that no surface covers

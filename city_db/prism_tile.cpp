@@ -6,6 +6,7 @@
 
 #include "city_db/byte_fields.hpp"
 #include "city_db/prism_tile_layout.h"
+#include "city_db/varint.hpp"
 
 namespace vicus {
 namespace {
@@ -13,44 +14,6 @@ namespace {
 constexpr std::int64_t kMostCoordinate = 1 << 28;
 constexpr std::uint64_t kMostHeight = 1 << 24;
 constexpr std::size_t kMostColours = 4096;
-
-void append_varint(std::string& out, std::uint64_t value) {
-  for (; value >= 0x80; value >>= 7) out.push_back(static_cast<char>(value | 0x80));
-  out.push_back(static_cast<char>(value));
-}
-void append_signed(std::string& out, std::int64_t value) {
-  append_varint(out, (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
-}
-
-/// Varints from the front; after the first that is not there `is_good` is false and all others are 0.
-class VarintSource {
- public:
-  explicit VarintSource(std::string_view bytes) : bytes_(bytes) {}
-  std::uint64_t next() {
-    std::uint64_t value = 0;
-    for (int shift = 0; shift < 35; shift += 7) {
-      if (at_ == bytes_.size()) break;
-      const auto byte = static_cast<std::uint8_t>(bytes_[at_++]);
-      value |= std::uint64_t{byte & 0x7fu} << shift;
-      if (byte < 0x80) {
-        if (byte == 0 && shift > 0) break;  // a longer spelling of the same number
-        return value;
-      }
-    }
-    is_good = false;
-    return 0;
-  }
-  std::int64_t next_signed() {
-    const std::uint64_t v = next();
-    return static_cast<std::int64_t>(v >> 1) ^ -static_cast<std::int64_t>(v & 1);
-  }
-  bool is_done() const { return is_good && at_ == bytes_.size(); }
-  bool is_good = true;
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-};
 
 /// Kinds with a ridge have four points; the tent, the flat and the faceted roof any.
 bool has_right_points(const PrismHouse& house) {
@@ -173,6 +136,41 @@ bool read_house(VarintSource (&in)[PRISM_STREAMS], PlanPoint& at, std::int64_t& 
   return has_right_points(house);
 }
 
+void append_trees(std::string (&streams)[PRISM_STREAMS], const std::vector<PrismTree>& trees) {
+  PrismTree before;
+  for (const PrismTree& tree : trees) {
+    append_signed(streams[PRISM_STREAM_TREE_EAST], std::int64_t{tree.at.x} - before.at.x);
+    append_signed(streams[PRISM_STREAM_TREE_NORTH], std::int64_t{tree.at.y} - before.at.y);
+    append_signed(streams[PRISM_STREAM_TREE_GROUND], std::int64_t{tree.ground} - before.ground);
+    append_varint(streams[PRISM_STREAM_TREE_SIZE], tree.height);
+    append_varint(streams[PRISM_STREAM_TREE_SIZE], tree.crown);
+    append_varint(streams[PRISM_STREAM_TREE_LOOK], static_cast<std::uint64_t>(tree.form) +
+                                                       std::uint64_t{PRISM_TREE_QUADRANT} * tree.quadrant +
+                                                       std::uint64_t{PRISM_TREE_COLOUR} * tree.leaves);
+    before = tree;
+  }
+}
+
+bool read_tree(VarintSource (&in)[PRISM_STREAMS], const PrismTree& before, std::size_t colours, PrismTree& tree) {
+  const std::int64_t x = before.at.x + in[PRISM_STREAM_TREE_EAST].next_signed(),
+                     y = before.at.y + in[PRISM_STREAM_TREE_NORTH].next_signed(),
+                     ground = before.ground + in[PRISM_STREAM_TREE_GROUND].next_signed();
+  const std::uint64_t height = in[PRISM_STREAM_TREE_SIZE].next(), crown = in[PRISM_STREAM_TREE_SIZE].next(),
+                      look = in[PRISM_STREAM_TREE_LOOK].next(), leaves = look / PRISM_TREE_COLOUR;
+  if (std::abs(x) > kMostCoordinate || std::abs(y) > kMostCoordinate ||
+      std::abs(ground) > static_cast<std::int64_t>(kMostHeight) || height > kMostHeight || crown > kMostHeight ||
+      look % PRISM_TREE_QUADRANT >= PRISM_TREE_FORMS || leaves >= colours)
+    return false;
+  tree.at = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  tree.ground = static_cast<std::int32_t>(ground);
+  tree.height = static_cast<std::uint32_t>(height);
+  tree.crown = static_cast<std::uint32_t>(crown);
+  tree.form = static_cast<TreeForm>(look % PRISM_TREE_QUADRANT);
+  tree.quadrant = static_cast<std::uint8_t>(look / PRISM_TREE_QUADRANT % PRISM_QUADRANTS);
+  tree.leaves = static_cast<std::uint16_t>(leaves);
+  return std::all_of(std::begin(in), std::end(in), [](const VarintSource& s) { return s.is_good; });
+}
+
 }  // namespace
 
 std::size_t nearest_to(PlanPoint p, const std::vector<PlanPoint>& points) {
@@ -220,6 +218,7 @@ std::string encode_prisms(const PrismTile& tile) {
     append_varint(streams[PRISM_STREAM_COLOUR], house.wall);
     append_varint(streams[PRISM_STREAM_COLOUR], house.roof);
   }
+  append_trees(streams, tile.trees);
   std::string out(PRISM_HEADER_BYTES, '\0');
   const auto put = [&](std::size_t at, std::uint64_t value, std::size_t size) { set_field(out, at, value, size); };
   put(PRISM_MAGIC_AT, PRISM_MAGIC, 4);
@@ -234,6 +233,7 @@ std::string encode_prisms(const PrismTile& tile) {
   put(PRISM_UP_STEP_AT, tile.up_step_mm, 4);
   put(PRISM_ERROR_AT, tile.error_mm, 4);
   put(PRISM_KEY_AT, tile.key, 8);
+  put(PRISM_TREES_AT, tile.trees.size(), 4);
   for (std::size_t i = 0; i < PRISM_STREAMS; ++i) put(PRISM_LENGTHS_AT + 4 * i, streams[i].size(), 4);
   for (const Colour c : tile.palette)
     for (const std::uint8_t v : {c.r, c.g, c.b}) out.push_back(static_cast<char>(v));
@@ -253,11 +253,13 @@ std::optional<PrismTile> decode_prisms(std::string_view bytes) {
   tile.up_step_mm = u32_at(bytes, PRISM_UP_STEP_AT);
   tile.error_mm = u32_at(bytes, PRISM_ERROR_AT);
   tile.key = field_at(bytes, PRISM_KEY_AT, 8);
-  const std::size_t colours = u16_at(bytes, PRISM_COLOURS_AT), houses = u32_at(bytes, PRISM_HOUSES_AT);
+  const std::size_t colours = u16_at(bytes, PRISM_COLOURS_AT), houses = u32_at(bytes, PRISM_HOUSES_AT),
+                    trees = u32_at(bytes, PRISM_TREES_AT);
   if (colours > kMostColours || tile.step_mm == 0 || tile.up_step_mm == 0) return std::nullopt;
   std::uint64_t total = PRISM_HEADER_BYTES + 3 * colours, lengths[PRISM_STREAMS];
   for (std::size_t i = 0; i < PRISM_STREAMS; ++i) total += lengths[i] = u32_at(bytes, PRISM_LENGTHS_AT + 4 * i);
-  if (total != bytes.size() || houses > lengths[PRISM_STREAM_SHAPE]) return std::nullopt;
+  if (total != bytes.size() || houses > lengths[PRISM_STREAM_SHAPE] || trees > lengths[PRISM_STREAM_TREE_LOOK])
+    return std::nullopt;
   std::size_t at = PRISM_HEADER_BYTES;
   for (std::size_t i = 0; i < colours; ++i, at += 3)
     tile.palette.push_back({static_cast<std::uint8_t>(bytes[at]), static_cast<std::uint8_t>(bytes[at + 1]),
@@ -267,12 +269,16 @@ std::optional<PrismTile> decode_prisms(std::string_view bytes) {
     at += lengths[i];
     return VarintSource(part);
   };
-  VarintSource in[PRISM_STREAMS] = {stream(0), stream(1), stream(2), stream(3), stream(4),
-                                    stream(5), stream(6), stream(7), stream(8), stream(9)};
+  VarintSource in[PRISM_STREAMS] = {stream(0),  stream(1),  stream(2),  stream(3),  stream(4),
+                                    stream(5),  stream(6),  stream(7),  stream(8),  stream(9),
+                                    stream(10), stream(11), stream(12), stream(13), stream(14)};
   PlanPoint first;
   std::int64_t ground = 0;
   for (std::size_t i = 0; i < houses; ++i)
     if (!read_house(in, first, ground, colours, tile.houses.emplace_back())) return std::nullopt;
+  PrismTree before;
+  for (std::size_t i = 0; i < trees; ++i, before = tile.trees.back())
+    if (!read_tree(in, before, colours, tile.trees.emplace_back())) return std::nullopt;
   for (const VarintSource& s : in)
     if (!s.is_done()) return std::nullopt;
   return tile;

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "city_db/city.hpp"
+#include "city_db/tree_shape.hpp"
 
-/// The houses of a tile as prisms with simple roofs: what a client turns into polygons. Bytes: prism_tile_layout.h.
-/// Source  research/IMAGE_BASED.md §0: for prisms the polygon wins near and mid.
+/// The houses of a tile as prisms with simple roofs, and its trees: what a client turns into polygons. Bytes:
+/// prism_tile_layout.h. Source  research/IMAGE_BASED.md §0: for prisms the polygon wins near and mid.
 namespace vicus {
 
 /// faceted: the house's own roof.
@@ -44,6 +45,17 @@ struct PrismHouse {
   friend bool operator==(const PrismHouse&, const PrismHouse&) = default;
 };
 
+struct PrismTree {
+  PlanPoint at;              ///< steps from the tile's corner: the south-west one of the lattice's square it stands in
+  std::int32_t ground = 0;   ///< steps above the tile's base
+  std::uint32_t height = 0;  ///< steps above the ground
+  std::uint32_t crown = 0;   ///< radius, in steps of height
+  TreeForm form = TreeForm::round;
+  std::uint8_t quadrant = 0;  ///< as a house's; every tree of a tile is owned
+  std::uint16_t leaves = 0;   ///< of the palette
+  friend bool operator==(const PrismTree&, const PrismTree&) = default;
+};
+
 struct PrismTile {
   PlanPoint corner;
   std::uint32_t tile_side_mm = 0;
@@ -52,6 +64,7 @@ struct PrismTile {
   std::uint64_t key = 0;
   std::vector<Colour> palette;
   std::vector<PrismHouse> houses;
+  std::vector<PrismTree> trees = {};
   friend bool operator==(const PrismTile&, const PrismTile&) = default;
 };
 

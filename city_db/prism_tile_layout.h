@@ -1,6 +1,6 @@
 // The only statement of prism tile bytes (FORMAT.md, "Prism tile"). Integer #defines only. Little-endian.
 #define PRISM_MAGIC 0x31545250  // "PRT1"
-#define PRISM_VERSION 3
+#define PRISM_VERSION 4
 #define PRISM_MAGIC_AT 0       // u32
 #define PRISM_VERSION_AT 4     // u16
 #define PRISM_COLOURS_AT 6     // u16: colours of the palette, 1 ... 4096
@@ -13,9 +13,10 @@
 #define PRISM_UP_STEP_AT 32    // u32: mm, one step of height
 #define PRISM_ERROR_AT 36      // u32: mm, no point of a house is farther from its prism
 #define PRISM_KEY_AT 40        // u64: of all that the tile was baked from
-#define PRISM_LENGTHS_AT 48    // u32 each: bytes of the streams, in order
-#define PRISM_STREAMS 10
-#define PRISM_HEADER_BYTES 88
+#define PRISM_TREES_AT 48      // u32
+#define PRISM_LENGTHS_AT 52    // u32 each: bytes of the streams, in order
+#define PRISM_STREAMS 15
+#define PRISM_HEADER_BYTES 112
 // After the header the palette, 3 bytes a colour, then the streams, varints (7 bits a byte, the low ones first; signed
 // ones zigzag). Houses come in Z order of their first points.
 // Shape of a house: kind + 8 * owned + 16 * quadrant + 64 * number of rings beyond the first; then of each ring its
@@ -34,6 +35,12 @@
 // Of each facet: 2 * (corners less 3) + 1 if it is a gable; its first corner from that of the facet before, then corner
 // to corner, signed.
 #define PRISM_STREAM_FACET 9
+// Trees come in Z order. Signed: from the tree before. A tree stands in the middle of a square of the lattice.
+#define PRISM_STREAM_TREE_EAST 10
+#define PRISM_STREAM_TREE_NORTH 11
+#define PRISM_STREAM_TREE_GROUND 12
+#define PRISM_STREAM_TREE_SIZE 13  // height, radius of the crown: steps of height
+#define PRISM_STREAM_TREE_LOOK 14  // form + 4 * quadrant + 16 * colour of the palette
 #define PRISM_KIND_FLAT 0
 #define PRISM_KIND_TENT 1     // to a point over the middle of the outer ring
 #define PRISM_KIND_GABLED 2   // four points: a ridge between the middles of the shorter two sides
@@ -44,3 +51,9 @@
 #define PRISM_QUADRANT 16  // of an owned house: 1 its middle lies in the east half, 2 in the north half
 #define PRISM_QUADRANTS 4
 #define PRISM_RINGS 64
+#define PRISM_TREE_ROUND 0
+#define PRISM_TREE_SLIM 1
+#define PRISM_TREE_CONIFER 2
+#define PRISM_TREE_FORMS 3
+#define PRISM_TREE_QUADRANT 4
+#define PRISM_TREE_COLOUR 16

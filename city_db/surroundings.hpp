@@ -15,9 +15,10 @@ struct SunLight {
   double direction[3];  ///< the way the light goes; not of length 1
   double intensity;
 };
-/// A third of the compass apart, so that no facade stays dark; the third shines upwards, on undersides and crowns.
+/// A third of the compass apart, so that no facade and no slope of a roof stays dark; the third shines a little upwards,
+/// on undersides and crowns.
 inline constexpr SunLight kLights[] = {
-    {{0.6, -0.5, -0.5}, 1.0}, {{0.12, -0.3, 0.75}, 0.75}, {{-0.6, 0.45, -0.25}, 0.65}};
+    {{0.6, -0.65, -0.5}, 1.0}, {{0.12, -0.35, 0.75}, 0.75}, {{-0.6, 0.15, -0.25}, 0.68}};
 
 /// Sum of all lights on a face with this normal (any length, plan axes: east, north, up), as one factor of its colour;
 /// what is shown is never above 1.

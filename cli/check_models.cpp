@@ -35,11 +35,13 @@ ModelFigures check_models(const City& city, const CityReader& file) {
       ++figures.sound;
   }
   std::map<std::string, std::set<std::string>> images;  // of each sector
-  const auto atlas = city.meta.find("atlas");
+  const auto atlas = city.meta.find("atlas"), grain = city.meta.find("grain");
   for (const auto& f : city.facades) {
     images[f.sector_id].insert(f.texture);
     if (atlas != city.meta.end()) images[f.sector_id].insert(atlas->second);
   }
+  if (grain != city.meta.end())
+    for (const auto& s : city.surfaces) images[s.sector_id].insert(grain->second);
   std::map<std::string, double> kilobytes;
   const auto kb_of = [&](const std::string& id) {
     const auto [at, is_new] = kilobytes.try_emplace(id, 0);

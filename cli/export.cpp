@@ -124,7 +124,8 @@ void write_textures(const City& city, const fs::path& city_file, const fs::path&
   const CityReader reader(city_file);
   std::set<std::string> ids;
   for (const auto& facade : city.facades) ids.insert(facade.texture);
-  if (const auto atlas = city.meta.find("atlas"); atlas != city.meta.end()) ids.insert(atlas->second);
+  for (const char* image : {"atlas", "grain"})
+    if (const auto id = city.meta.find(image); id != city.meta.end()) ids.insert(id->second);
   for (const auto& id : ids)
     write_file(folder / "textures" / (id + ".png"), stored_image(reader, city_file, "textures/" + id + ".png"),
                written);

@@ -1,8 +1,11 @@
 #include "cli/measure_prism_mesh.hpp"
 
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include "city_db/issues.hpp"
+#include "sectorgen/bake/facade_sums.hpp"
 #include "sectorgen/geom/triangulation.hpp"
 
 namespace vicus::measure {
@@ -121,6 +124,49 @@ struct HouseMesh {
   }
 };
 
+/// Of a crown, from the top down: shares of the height, the radius and the leaves' light
+/// (client_scripts/core/treeMesh.js).
+struct CrownRing {
+  double up, wide, light;
+};
+std::span<const CrownRing> crown_of(TreeForm form) {
+  static constexpr CrownRing kRound[] = {{1, 0, 1.1}, {0.78, 0.82, 1.02}, {0.44, 1, 0.85}, {0.24, 0, 0.65}};
+  static constexpr CrownRing kSlim[] = {{1, 0, 1.1}, {0.6, 0.9, 1}, {0.2, 1, 0.75}, {0.12, 0, 0.6}};
+  static constexpr CrownRing kConifer[] = {{1, 0, 1.1}, {0.16, 1, 0.8}, {0.14, 0, 0.6}};
+  return form == TreeForm::round  ? std::span<const CrownRing>(kRound)
+         : form == TreeForm::slim ? std::span<const CrownRing>(kSlim)
+                                  : std::span<const CrownRing>(kConifer);
+}
+
+/// Differs   light by face, its trunk is left out.
+void add_tree(RenderMesh& mesh, const PrismTile& tile, const PrismTree& tree) {
+  constexpr std::uint32_t kSides = 6;
+  const double step = metres(tile.step_mm), up = metres(tile.up_step_mm);
+  const double x = metres(tile.corner.x) + step * (tree.at.x + 0.5),
+               y = metres(tile.corner.y) + step * (tree.at.y + 0.5);
+  const double ground = metres(tile.base_mm) + up * tree.ground;
+  const auto rings = crown_of(tree.form);
+  std::uint32_t above = 0;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+      const double turn = 2 * std::numbers::pi * (i + 0.5 * double(r)) / kSides,
+                   reach = up * tree.crown * rings[r].wide;
+      mesh.add_point({x + reach * std::cos(turn), y + reach * std::sin(turn), ground + up * tree.height * rings[r].up});
+    }
+    RenderTriangle leaf{};
+    if (r > 0) leaf.colour = rounded(mean_of(tile.palette[tree.leaves]) * ((rings[r - 1].light + rings[r].light) / 2));
+    for (std::uint32_t i = 0; r > 0 && i < kSides; ++i) {
+      const std::uint32_t next = (i + 1) % kSides;
+      leaf.corners = {first + i, above + next, above + i};
+      if (rings[r - 1].wide > 0) mesh.triangles.push_back(leaf);
+      leaf.corners = {first + i, first + next, above + next};
+      if (rings[r].wide > 0) mesh.triangles.push_back(leaf);
+    }
+    above = first;
+  }
+}
+
 }  // namespace
 
 void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
@@ -141,6 +187,7 @@ void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
     else
       h.add_ridged(house.kind == PrismKind::hipped);
   }
+  for (const PrismTree& tree : tile.trees) add_tree(mesh, tile, tree);
 }
 
 }  // namespace vicus::measure

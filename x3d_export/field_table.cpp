@@ -21,7 +21,7 @@ const std::vector<NodeSpec>& node_specs() {
        1,
        "appearance",
        true,
-       {{"material", sf_node}, {"texture", sf_node}, {"shaders", mf_node, false}}},
+       {{"material", sf_node}, {"texture", sf_node}, {"textureTransform", sf_node}, {"shaders", mf_node, false}}},
       {"BooleanToggle", "EventUtilities", 1, "children", false, {{"toggle", sf_bool}}},
       {"Background",
        "EnvironmentalEffects",
@@ -106,6 +106,7 @@ const std::vector<NodeSpec>& node_specs() {
       {"ShaderPart", "Shaders", 1, "parts", false, {{"type", sf_string}, {"url", mf_string}}},
       {"Shape", "Shape", 1, "children", true, {{"appearance", sf_node}, {"geometry", sf_node}}},
       {"TextureCoordinate", "Texturing", 1, "texCoord", true, {{"point", mf_vec2f}}},
+      {"TextureTransform", "Texturing", 1, "textureTransform", true, {{"scale", sf_vec2f}}},
       {"TimeSensor",
        "Time",
        1,
@@ -144,12 +145,12 @@ struct TypeSpec {
 
 // Colours come from 8 bits: 3 decimals give them back. Coordinates come from the lattice: millimetres.
 constexpr TypeSpec kTypes[] = {
-    {sf_bool, "SFBool", 1, 0},         {sf_string, "SFString", 1, 0}, {mf_string, "MFString", 1, 0},
-    {sf_float, "SFFloat", 1, 6},       {sf_vec3f, "SFVec3f", 3, 3},   {sf_rotation, "SFRotation", 4, 6},
-    {sf_color, "SFColor", 3, 3},       {mf_float, "MFFloat", 1, 6},   {mf_double, "MFDouble", 1, 3},
-    {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},   {mf_vec3f, "MFVec3f", 3, 3},
-    {mf_vec3d, "MFVec3d", 3, 3},       {mf_color, "MFColor", 3, 3},   {mf_int32, "MFInt32", 1, 0},
-    {sf_node, "SFNode", 1, 0},         {mf_node, "MFNode", 1, 0}};
+    {sf_bool, "SFBool", 1, 0},         {sf_string, "SFString", 1, 0},     {mf_string, "MFString", 1, 0},
+    {sf_float, "SFFloat", 1, 6},       {sf_vec2f, "SFVec2f", 2, 3},       {sf_vec3f, "SFVec3f", 3, 3},
+    {sf_rotation, "SFRotation", 4, 6}, {sf_color, "SFColor", 3, 3},       {mf_float, "MFFloat", 1, 6},
+    {mf_double, "MFDouble", 1, 3},     {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},
+    {mf_vec3f, "MFVec3f", 3, 3},       {mf_vec3d, "MFVec3d", 3, 3},       {mf_color, "MFColor", 3, 3},
+    {mf_int32, "MFInt32", 1, 0},       {sf_node, "SFNode", 1, 0},         {mf_node, "MFNode", 1, 0}};
 
 const TypeSpec& type_spec(FieldType type) {
   return *std::find_if(std::begin(kTypes), std::end(kTypes), [type](const TypeSpec& t) { return t.type == type; });

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kSensorSide_m = 200'000, kSensorHeight_m = 20'000;
 constexpr double kUnknownHalf_m = 500;
-constexpr double kLeastHaze_m = 6'000;     // where two thirds of a colour are haze
+/// Where two thirds of a colour are haze: the city is seen to its rim, and where the ground ends it is as the sky.
+constexpr double kLeastHaze_m = 5'000, kMostHaze_m = 12'000, kHazePerHalf = 0.75;
 constexpr double kBack = 0.75, kUp = 0.6;  // of the city's half side: a view over all of it
 
 ScriptField field(const char* name, FieldType type, FieldValue value) {
@@ -53,7 +54,8 @@ Node shader_node(const char* def, const std::string& name, double half_m, bool i
   const ScriptField haze[] = {
       field("hazeColour", FieldType::sf_color,
             std::vector<double>{kSkyColour.r / 255.0, kSkyColour.g / 255.0, kSkyColour.b / 255.0}),
-      field("hazeDistance", FieldType::sf_float, std::vector<double>{std::max(kLeastHaze_m, 3 * half_m)})};
+      field("hazeDistance", FieldType::sf_float,
+            std::vector<double>{std::clamp(kHazePerHalf * half_m, kLeastHaze_m, kMostHaze_m)})};
   shader.interface.insert(shader.interface.end(), std::begin(haze), std::end(haze));
   shader.add("parts", shader_part("VERTEX", "client/x3d/" + name + ".vert"));
   return shader.add("parts", shader_part("FRAGMENT", "client/x3d/" + name + ".frag"));

@@ -15,8 +15,6 @@ namespace {
 constexpr int kMostOpenings = 60;  // of one LOD node: its fourth level stays below 30 kB
 constexpr double kCentre_m = 1.7;  // of an LOD node, above ground: distances are the walker's
 
-std::string texture_url(const std::string& id) { return "../textures/" + id + ".png"; }
-
 /// What one house has in the sector.
 struct Share {
   const Building* house = nullptr;

@@ -26,6 +26,8 @@ Node appearance_of(Shading shading, Colour colour, bool is_coloured_by_face) {
 
 }  // namespace
 
+std::string texture_url(const std::string& id) { return "../textures/" + id + ".png"; }
+
 void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour) {
   const std::int32_t low = up(bottom_m), high = up(top_m);
   if (a == b || low >= high) return;

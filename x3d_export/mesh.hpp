@@ -35,6 +35,7 @@ struct Layer {
   std::string name;  ///< DEF of its Shape
   Shading shading = Shading::solid;
   std::vector<Face> faces;
+  std::string grain = {};  ///< id of the image that gives it its grain (ground_grain.hpp); empty: none
 };
 
 /// Frame   faces in the frame of the sector with the plan origin `origin`.
@@ -68,6 +69,9 @@ class FaceList {
   std::int32_t lift_mm_ = 0;
   std::vector<Face> faces_;
 };
+
+/// From a sector's file.
+std::string texture_url(const std::string& id);
 
 /// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
 /// Needs   !faces.empty() (assert).

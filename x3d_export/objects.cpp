@@ -2,23 +2,22 @@
 
 #include <algorithm>
 
-#include "city_db/steady_hash.hpp"
+#include "city_db/tree_shape.hpp"
 
 namespace vicus {
 namespace {
 
-constexpr double kTree_m = 8, kLamp_m = 4.5;  // typical, where the map names no height
+constexpr double kLamp_m = 4.5;  // typical, where the map names no height
 /// What a visitor steps over, and what passes above his head.
 constexpr double kShin_m = 0.3, kHead_m = 1.95;
 
 std::vector<Spindle> tree(const StandaloneObject& object) {
   constexpr Colour kTrunk{94, 74, 56};
-  constexpr Colour kCrowns[] = {{74, 104, 52}, {88, 116, 58}, {66, 94, 56}, {98, 122, 66}};
-  const Colour crown = kCrowns[steady_hash(object.id) % std::size(kCrowns)];
-  const double h = object.height_m > 0 ? object.height_m : kTree_m, radius_m = std::min(0.3 * h, 4.0);
+  const TreeShape shape = shape_of_tree(object);
+  const double h = shape.height_m;
   return {{3, 0.02 * h, 0.02 * h, 0, 0.4 * h, kTrunk},
-          {5, 0, radius_m, 0.28 * h, 0.55 * h, crown},
-          {5, radius_m, 0, 0.55 * h, h, crown}};
+          {5, 0, shape.crown_m, 0.28 * h, 0.55 * h, shape.leaves},
+          {5, shape.crown_m, 0, 0.55 * h, h, shape.leaves}};
 }
 
 std::vector<Spindle> lamp(const StandaloneObject& object) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "city_db/steady_hash.hpp"
+#include "city_db/tree_shape.hpp"
 #include "x3d_export/colours.hpp"
 
 namespace vicus {
@@ -66,48 +67,28 @@ class ModelMaker {
   }
 };
 
-bool contains_tag(const StandaloneObject& object, const char* key, std::initializer_list<const char*> words) {
-  const auto at = object.tags.find(key);
-  return at != object.tags.end() && std::any_of(words.begin(), words.end(), [&](const char* word) {
-           return at->second.find(word) != std::string::npos;
-         });
-}
-
-enum class TreeForm { round, slim, conifer };
-
-TreeForm form_of(const StandaloneObject& tree) {
-  for (const char* key : {"species", "genus", "taxon"}) {
-    if (contains_tag(tree, key, {"italica", "Italica", "Cupressus", "fastigiata", "Fastigiata"})) return TreeForm::slim;
-    if (contains_tag(tree, key, {"Picea", "Abies", "Larix", "Pseudotsuga", "Cedrus", "Pinus"}))
-      return TreeForm::conifer;
-  }
-  return contains_tag(tree, "leaf_type", {"needleleaved"}) ? TreeForm::conifer : TreeForm::round;
-}
-
 /// 8 m high; three looks of the round form.
 ObjectModel tree_model(const StandaloneObject& object) {
-  constexpr Colour kLeaves[] = {{112, 152, 70}, {130, 166, 80}, {98, 138, 72}};
   ModelMaker m;
-  const TreeForm form = form_of(object);
+  const TreeForm form = form_of_tree(object);
+  const std::size_t look = look_of_tree(object);
+  const Colour leaf = leaf_colour(form, look);
   if (form == TreeForm::conifer) {
-    constexpr Colour kNeedles{78, 116, 80};
     m.spindle(0, 0, 5, 0.16, 0.12, 0, 1.4, kTrunk);
     for (int i = 0; i < 3; ++i) {
       const double low = 1.1 + 1.9 * i, r = 1.9 - 0.5 * i;
-      m.spindle(0, 0, 7, 0.3, r, low - 0.25, low, shaded(kNeedles, 0.7));
-      m.spindle(0, 0, 7, r, 0, low, low + 3.1, shaded(kNeedles, 0.9 + 0.1 * i));
+      m.spindle(0, 0, 7, 0.3, r, low - 0.25, low, shaded(leaf, 0.7));
+      m.spindle(0, 0, 7, r, 0, low, low + 3.1, shaded(leaf, 0.9 + 0.1 * i));
     }
-    return {"TREE-CONIFER", m.faces, 8, 3.8, false};
+    return {"TREE-CONIFER", m.faces, kTypicalTree_m, typical_crown_m(form), false};
   }
   if (form == TreeForm::slim) {
     m.spindle(0, 0, 5, 0.15, 0.12, 0, 1.2, kTrunk);
-    m.leaves(0, 0, 3.0, 0.9, 2.6, {98, 138, 76}, 0x9E3779B97F4A7C15u);
-    m.leaves(0.05, 0, 5.4, 0.7, 2.6, {106, 146, 82}, 0xC2B2AE3D27D4EB4Fu);
-    return {"TREE-SLIM", m.faces, 8, 1.9, true};
+    m.leaves(0, 0, 3.0, 0.9, 2.6, leaf, 0x9E3779B97F4A7C15u);
+    m.leaves(0.05, 0, 5.4, 0.7, 2.6, shaded(leaf, 1.07), 0xC2B2AE3D27D4EB4Fu);
+    return {"TREE-SLIM", m.faces, kTypicalTree_m, typical_crown_m(form), true};
   }
-  const std::uint64_t look = steady_hash(object.id) % std::size(kLeaves);
   const std::uint64_t seed = steady_hash(std::to_string(look + 11));
-  const Colour leaf = kLeaves[look];
   m.spindle(0, 0, 6, 0.19, 0.11, 0, 3.4, kTrunk);
   const double turn = 0.9 * static_cast<double>(look);
   for (int i = 0; i < 3; ++i) {
@@ -116,7 +97,7 @@ ObjectModel tree_model(const StandaloneObject& object) {
              seed >> (5 * i));
   }
   m.leaves(0.1, 0, 5.9, 1.7, 2.1, leaf, seed >> 3);
-  return {"TREE-ROUND-" + std::to_string(look), m.faces, 8, 5.2, true};
+  return {"TREE-ROUND-" + std::to_string(look), m.faces, kTypicalTree_m, typical_crown_m(form), true};
 }
 
 /// 4.5 m: foot, post, lantern with a hat.
@@ -277,15 +258,10 @@ ObjectModel tram() {
 
 std::pair<double, double> scale_of(const ObjectModel& model, const StandaloneObject& object) {
   constexpr double kLeast = 0.25, kMost = 4;
-  double up = object.height_m > 0 ? std::clamp(object.height_m / model.height_m, kLeast, kMost) : 1;
-  double across = 1;
-  if (object.kind == "tree") {
-    if (object.height_m <= 0) up = 0.85 + 0.3 * static_cast<double>(steady_hash(object.id + "h") % 100) / 100;
-    across = std::sqrt(up) * (0.9 + 0.2 * static_cast<double>(steady_hash(object.id + "w") % 100) / 100);
-  } else if (object.height_m > 0 && object.kind != "street_lamp" && object.kind != "clock") {
-    across = up;
-  }
-  return {across, up};
+  if (object.kind == "tree") return tree_scale(object, model.height_m);
+  if (object.height_m <= 0) return {1, 1};
+  const double up = std::clamp(object.height_m / model.height_m, kLeast, kMost);
+  return {object.kind == "street_lamp" || object.kind == "clock" ? 1 : up, up};
 }
 
 }  // namespace vicus

@@ -31,7 +31,8 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   if (!sector) return std::nullopt;
   City city;
   city.meta["licences"] = reader.meta("licences").value_or("");
-  if (const auto atlas = reader.meta("atlas")) city.meta["atlas"] = *atlas;
+  for (const char* image : {"atlas", "grain"})
+    if (const auto id = reader.meta(image)) city.meta[image] = *id;
   city.gates = reader.gates_of(id);
   city.doors = reader.doors_of(id);
   city.borders = reader.borders_of(id);

@@ -28,7 +28,8 @@ namespace {
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (!numbers) return false;
   const auto width = static_cast<std::size_t>(width_of(type));
-  const bool single = type == sf_float || type == sf_vec3f || type == sf_rotation || type == sf_color;
+  const bool single =
+      type == sf_float || type == sf_vec2f || type == sf_vec3f || type == sf_rotation || type == sf_color;
   return single ? numbers->size() == width : numbers->size() % width == 0;
 }
 

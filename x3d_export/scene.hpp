@@ -21,6 +21,7 @@ enum class FieldType {
   sf_string,
   mf_string,
   sf_float,
+  sf_vec2f,
   sf_vec3f,
   sf_rotation,
   sf_color,

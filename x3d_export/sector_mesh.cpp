@@ -236,7 +236,9 @@ std::vector<Layer> sector_layers(const CityIndex& index, const Sector& sector, D
     add_objects(objects, index, sector, detail);
     add_backdrops(backdrops, index, levels, sector);
   }
-  std::vector<Layer> layers{{"GROUND", Shading::solid, ground.take()},
+  const auto& meta = index.city().meta;
+  const auto grain = meta.find("grain");
+  std::vector<Layer> layers{{"GROUND", Shading::solid, ground.take(), grain == meta.end() ? "" : grain->second},
                             {"HOUSES", Shading::solid, houses.take()},
                             {"BARRIERS", Shading::two_sided, barriers.take()},
                             {"OBJECTS", Shading::solid, objects.take()},

@@ -7,6 +7,7 @@
 
 #include "city_db/surroundings.hpp"
 #include "x3d_export/door_nodes.hpp"
+#include "x3d_export/ground_grain.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
@@ -78,6 +79,11 @@ SizedNode sized(Node node, SceneFormat format) {
   return {std::move(node), size};
 }
 
+Node layer_shape(const Layer& layer, std::span<const Face> faces) {
+  if (layer.grain.empty()) return shape_of(layer.name, layer.shading, faces);
+  return grained_shape(layer.name, faces, texture_url(layer.grain));
+}
+
 /// A layer as Shapes, in as many slices as it takes that none is larger than `limit`.
 std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::size_t limit) {
   for (std::size_t count = 1;; ++count) {
@@ -87,7 +93,7 @@ std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::si
     for (std::size_t i = 0; i < count && fits; ++i) {
       const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
       if (faces.empty()) continue;
-      shapes.push_back(sized(shape_of(layer.name, layer.shading, faces), format));
+      shapes.push_back(sized(layer_shape(layer, faces), format));
       fits = faces.size() == 1 || shapes.back().size <= limit;
       if (!fits) count = std::max(count, std::min(n, shapes.back().size * count / limit));
     }

@@ -1,4 +1,5 @@
 import { TriangleBuilder } from './TriangleBuilder.js';
+import { kSurfaces } from './prismMesh.js';
 
 /** X_ITE's words for a texture that is there, and one that never will be (X3DConstants.COMPLETE_STATE, FAILED_STATE). */
 const kComplete = 1008, kFailed = 1009;
@@ -86,14 +87,18 @@ export class TileShapes {
         return { shape: this.node('Shape', { appearance, geometry }), material };
     }
 
-    /** Ground as far as one sees around the root's square, as low as its lowest rim. */
+    /**
+     * Ground as far as one sees around the root's square, as low as its lowest rim. Its places count from the square's middle in halves of
+     * its side: the shader lets the land fade into mist beyond the rim.
+     */
     surround({ corner: [east, north], side, nodes, heights }) {
         const rim = Array.from(heights).filter((_, i) => i < nodes || i >= nodes * (nodes - 1) || i % nodes === 0 || i % nodes === nodes - 1);
         const up = Math.min(...rim), builder = new TriangleBuilder(), { beyond } = this;
-        const colour = [16, 8, 0].map(bits => (beyond >> bits & 255) / 255).concat(0);
+        const colour = [16, 8, 0].map(bits => (beyond >> bits & 255) / 255).concat(kSurfaces.beyond);
         const [west, south, right, top] = [-kHorizon, -kHorizon, side + kHorizon, side + kHorizon];
         for (const [a, b, c, d] of [[west, south, right, 0], [west, side, right, top], [west, 0, 0, side], [side, 0, right, side]])
-            builder.face([[a, b], [c, b], [c, d], [a, d]].map(([x, y]) => [x, up, -y]), colour, [[0, 0], [0, 0], [0, 0], [0, 0]]);
+            builder.face([[a, b], [c, b], [c, d], [a, d]].map(([x, y]) => [x, up, -y]), colour,
+                [[a, b], [c, b], [c, d], [a, d]].map(([x, y]) => [2 * x / side - 1, 2 * y / side - 1]));
         const { shape, material } = this.quadrant({ texture: null, shader: this.shaders.tiles }, builder.build());
         material.diffuseColor = new this.types.SFColor(0.5, 0, 0);
         this.around = this.node('Transform', { translation: new this.types.SFVec3f(east, 0, -north) });

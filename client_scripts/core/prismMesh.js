@@ -8,7 +8,7 @@ const kWindowWidth = 2.7, kStorey = 3.1, kBlind = 2.2;
  * What a corner is, as the fourth number of its colour; the shader has the same (x3d/flyover.frag). Of a wall it also says how
  * much sky is seen: little at the foot, all at the eave.
  */
-export const kSurfaces = { roof: 0, foot: 0.35, wall: 0.65, ground: 1 };
+export const kSurfaces = { roof: 0, beyond: 0.15, foot: 0.35, wall: 0.65, ground: 1 };
 
 const middle = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 const between = (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];

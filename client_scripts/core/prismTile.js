@@ -26,10 +26,10 @@ function checked(count, { bytes, at }) {
 }
 
 /**
- * A prism tile (city_db/FORMAT.md) as { corner: [m, m], side, error, houses }; each house { kind, owned, quadrant, rings, ground, eave, top,
+ * A prism tile (city_db/FORMAT.md) as { corner: [m, m], side, error, houses, trees }; each house { kind, owned, quadrant, rings, ground, eave, top,
  * wall, roof }: rings of [east, north] in metres from the corner, heights in metres above the plan frame's 0, colours
  * [r, g, b]; with its own roof also `points` [east, north, up] and `facets` { isGable, corners }: numbers of the rings' points in their
- * order, then of `points`. `layout`: of prism_tile_layout.h. Throws an Error that says what is wrong with the bytes.
+ * order, then of `points`. Each tree { form, quadrant, at: [east, north], ground, height, crown, leaves }: a radius, a colour. `layout`: of prism_tile_layout.h. Throws an Error that says what is wrong with the bytes.
  */
 export function decodePrisms(bytes, layout) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -50,7 +50,8 @@ export function decodePrisms(bytes, layout) {
         return new VarintSource(bytes.subarray(at - length, at));
     });
     if (at !== bytes.length) throw new Error(`prism tile: expected ${at} bytes, found ${bytes.length}`);
-    const [shapes, east, north, grounds, eaves, rises, colours, anchors, offsets, facetCorners] = streams;
+    const [shapes, east, north, grounds, eaves, rises, colours, anchors, offsets, facetCorners,
+        treeEast, treeNorth, treeGrounds, treeSizes, treeLooks] = streams;
     let first = [0, 0], ground = 0;
     /** Points of a roof beside the rings', [steps, steps, steps above the eave], and its facets by numbers of both. */
     const readFacets = corners => {
@@ -104,10 +105,22 @@ export function decodePrisms(bytes, layout) {
         return { ...house, points: own.points.map(([x, y, up]) => [x * step, y * step, eave + up * upStep]), facets: own.facets };
     };
     const houses = Array.from({ length: view.getUint32(layout.PRISM_HOUSES_AT, true) }, readHouse);
+    let treeAt = [0, 0], treeGround = 0;
+    const readTree = () => {
+        treeAt = [treeAt[0] + treeEast.nextSigned(), treeAt[1] + treeNorth.nextSigned()];
+        treeGround += treeGrounds.nextSigned();
+        const height = treeSizes.next() * upStep, crown = treeSizes.next() * upStep, look = treeLooks.next();
+        const leaves = palette[Math.floor(look / layout.PRISM_TREE_COLOUR)];
+        if (!leaves) throw new Error('prism tile: a colour that the palette does not have');
+        return { form: look % layout.PRISM_TREE_QUADRANT, quadrant: Math.floor(look / layout.PRISM_TREE_QUADRANT) % layout.PRISM_QUADRANTS,
+            at: treeAt.map(value => (value + 0.5) * step), ground: base + treeGround * upStep, height, crown, leaves };
+    };
+    const trees = Array.from({ length: checked(view.getUint32(layout.PRISM_TREES_AT, true), treeLooks) }, readTree);
     return {
         corner: [metres(layout.PRISM_EAST_AT), metres(layout.PRISM_NORTH_AT)],
         side: metres(layout.PRISM_TILE_SIDE_AT),
         error: metres(layout.PRISM_ERROR_AT),
         houses,
+        trees,
     };
 }

@@ -1,6 +1,6 @@
 /** Names of X_ITE's that the tiles' shaders use, for drawing without X_ITE. */
 const kAttributes = { x3d_Vertex: ['positions', 3], x3d_Normal: ['normals', 3], x3d_Color: ['colours', 4], x3d_TexCoord0: ['places', 2] };
-const kLights = [0.6, -0.5, -0.5, 0.12, -0.3, 0.75, -0.6, 0.45, -0.25], kIntensities = [1, 0.75, 0.65];
+const kLights = [0.6, -0.65, -0.5, 0.12, -0.35, 0.75, -0.6, 0.15, -0.25], kIntensities = [1, 0.75, 0.68];
 
 /** A program of a tile's shaders. Fails   Error with what the compiler says. */
 export function tileProgram(gl, { vertex, fragment }) {

@@ -213,7 +213,7 @@ BakedBlockMap bake_unpacked(const BakeScene& scene, PlanPoint corner, std::uint3
   map.rows = options.rows != 0 ? options.rows
                                : std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::ceil(top / (2 * cell_m))),
                                                            BLOCKMAP_LEAST_ROWS, BLOCKMAP_MOST_ROWS);
-  const GroundColours ground(scene, frame);
+  const GroundColours ground(scene, frame, true);
   const double light = light_on(-frame.base.east, -frame.base.north, 1);
   out.pictures.roof = roof_colours(ground, light, pieces, fits, options.side);
   out.pictures.ground = darkened(ground.filled(), light);

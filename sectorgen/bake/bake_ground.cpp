@@ -5,6 +5,7 @@
 
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/ground_colours.hpp"
+#include "sectorgen/bake/prism_trees.hpp"
 
 namespace vicus {
 namespace {
@@ -48,7 +49,7 @@ GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t t
     tile.height.push_back(static_cast<std::uint16_t>(std::lround((h * kMmPerMetre - tile.base_mm) / tile.step_mm)));
 
   const TileFrame frame{corner, 2 * kPictureSide, tile_side_mm, {}};
-  RgbImage picture = GroundColours(scene, frame).filled(kYard_m);
+  RgbImage picture = GroundColours(scene, frame, !has_standing_trees(scene, corner, tile_side_mm)).filled(kYard_m);
   const auto ambient = ambient_light(scene, frame);  // south row first
   for (std::size_t row = 0; row < kPictureSide; ++row)
     for (std::size_t column = 0; column < kPictureSide; ++column) {

@@ -97,7 +97,7 @@ class PaperBaker {
   }
 
   void set_roofs() {
-    const GroundColours ground(scene_, frame_);
+    const GroundColours ground(scene_, frame_, true);
     ambient_ = ambient_light(scene_, frame_);
     for (long row = 0; row < n_; ++row)
       for (long column = 0; column < n_; ++column) {

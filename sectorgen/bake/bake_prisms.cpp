@@ -6,12 +6,14 @@
 
 #include "sectorgen/bake/prism_footprint.hpp"
 #include "sectorgen/bake/prism_roof.hpp"
+#include "sectorgen/bake/prism_trees.hpp"
+#include "sectorgen/bake/z_order.hpp"
 
 namespace vicus {
 namespace {
 
 constexpr std::uint32_t kLeastStep_mm = 100, kSteps = 512, kUpStep_mm = 100;
-constexpr std::size_t kMostColours = 4096;
+constexpr std::size_t kMostColours = 4096 - 16;  // leaves have some, too
 /// A house's own roof takes five times the bytes of a simple one: it is for tiles that are seen from near.
 constexpr std::uint32_t kOwnRoofStep_mm = 250;
 constexpr double kOwnRoofSteps = 0.5;  // where the nearest simple roof errs by more
@@ -104,16 +106,6 @@ double choose_roof(const BakeHouse& house, PlanPoint corner, double step_m, Pris
   return least;
 }
 
-std::uint64_t z_order(PlanPoint p) {
-  const auto spread = [](std::uint64_t v) {
-    std::uint64_t out = 0;
-    for (int bit = 0; bit < 32; ++bit) out |= (v >> bit & 1) << (2 * bit);
-    return out;
-  };
-  const auto shifted = [](std::int32_t v) { return static_cast<std::uint64_t>(std::int64_t{v} + (1 << 30)); };
-  return spread(shifted(p.x)) | spread(shifted(p.y)) << 1;
-}
-
 /// The palette: colours by how many houses have them, and what each house's are in it.
 void set_colours(const BakeScene& scene, const std::vector<std::uint32_t>& which, PrismTile& tile) {
   std::map<Colour, std::size_t> count;
@@ -179,7 +171,13 @@ PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t ti
     base = std::min(base, house.ground_m);
     found.push_back({z_order(prism.rings[0][0]), i, std::move(prism)});
   }
-  tile.base_mm = found.empty() ? 0 : static_cast<std::int32_t>(std::floor(base)) * 1000;
+  const bool has_trees = has_standing_trees(scene, corner, tile_side_mm);
+  if (has_trees) {
+    for (const std::uint32_t i : scene.trees_in(box)) base = std::min(base, scene.trees()[i].ground_m);
+  } else {
+    error = std::max(error, flat_trees_error_m(scene, corner, tile_side_mm));
+  }
+  tile.base_mm = base == 1e9 ? 0 : static_cast<std::int32_t>(std::floor(base)) * 1000;
   tile.error_mm = static_cast<std::uint32_t>(std::ceil(error * kMmPerMetre)) + kUpStep_mm;
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.order < b.order; });
   std::vector<std::uint32_t> which;
@@ -190,6 +188,7 @@ PrismTile bake_prisms(const BakeScene& scene, PlanPoint corner, std::uint32_t ti
     tile.houses.push_back(std::move(f.house));
   }
   set_colours(scene, which, tile);
+  if (has_trees) set_trees(scene, tile);
   return tile;
 }
 

@@ -207,6 +207,7 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
     box_.add(out.box.max);
   }
   add_ground(city);
+  add_trees(city);
   KeyHash hash;
   for (const std::int32_t v : {terrain_.corner.x, terrain_.corner.y, terrain_.step_mm})
     hash.add(static_cast<std::uint32_t>(v));
@@ -240,6 +241,25 @@ void BakeScene::add_ground(const City& city) {
   }
 }
 
+void BakeScene::add_trees(const City& city) {
+  for (const StandaloneObject& object : city.objects) {
+    if (object.kind != "tree") continue;
+    BakeTree tree{object.id, object.at, {}, object.ground_m, shape_of_tree(object)};
+    tree.box.add(object.at);
+    tree.box = grown(tree.box, lattice_mm(tree.shape.crown_m));
+    KeyHash hash;
+    hash.add(tree.id);
+    hash.add(grid_key(tree.at.x, tree.at.y));
+    for (const double v : {tree.ground_m, tree.shape.height_m, tree.shape.crown_m}) add_double(hash, v);
+    hash.add(static_cast<std::uint64_t>(tree.shape.form));
+    hash.add(packed(tree.shape.leaves));
+    tree.key = hash.value();
+    trees_.push_back(std::move(tree));
+  }
+  std::sort(trees_.begin(), trees_.end(), [](const BakeTree& a, const BakeTree& b) { return a.id < b.id; });
+  for (std::size_t i = 0; i < trees_.size(); ++i) tree_grid_.add(trees_[i].box, static_cast<std::uint32_t>(i));
+}
+
 std::vector<std::uint32_t> BakeScene::houses_in(const PlanBox& box) const {
   auto out = house_grid_.find(box);
   std::erase_if(out, [&](std::uint32_t i) { return !meet(houses_[i].box, box); });
@@ -252,10 +272,17 @@ std::vector<std::uint32_t> BakeScene::ground_in(const PlanBox& box) const {
   return out;
 }
 
+std::vector<std::uint32_t> BakeScene::trees_in(const PlanBox& box) const {
+  auto out = tree_grid_.find(box);
+  std::erase_if(out, [&](std::uint32_t i) { return !meet(trees_[i].box, box); });
+  return out;
+}
+
 std::uint64_t BakeScene::key_of(const PlanBox& box) const {
   std::uint64_t sum = terrain_key_;  // a sum: the order of the houses in the city does not matter
   for (const std::uint32_t i : houses_in(box)) sum += houses_[i].key;
   for (const std::uint32_t i : ground_in(box)) sum += ground_keys_[i];
+  for (const std::uint32_t i : trees_in(box)) sum += trees_[i].key;
   KeyHash hash;
   hash.add(sum);
   return hash.value();

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "city_db/city.hpp"
+#include "city_db/tree_shape.hpp"
 #include "sectorgen/bake/facade_sums.hpp"
 
 /// A city as the baker sees it: what is seen from the air. Houses as walls and roof planes, the ground as coloured
-/// triangles on the terrain.
+/// triangles on the terrain, trees.
 namespace vicus {
 
 /// A plane over the plan: up(x, y) = up + east (x - x0) + north (y - y0), metres.
@@ -61,6 +62,15 @@ struct BakeGround {
   SurfaceKind kind = SurfaceKind::pavement;
 };
 
+struct BakeTree {
+  std::string id;
+  PlanPoint at;
+  PlanBox box;          ///< of the crown
+  double ground_m = 0;  ///< above the plan frame's 0
+  TreeShape shape;
+  std::uint64_t key = 0;  ///< of all of this
+};
+
 /// Differs what lies under a house's underside (passages) is filled: nobody sees it from above.
 class BakeScene {
  public:
@@ -69,9 +79,11 @@ class BakeScene {
 
   const std::vector<BakeHouse>& houses() const { return houses_; }  ///< by id
   const std::vector<BakeGround>& ground() const { return ground_; }
+  const std::vector<BakeTree>& trees() const { return trees_; }  ///< by id
   const Terrain& terrain() const { return terrain_; }
   std::vector<std::uint32_t> houses_in(const PlanBox& box) const;  ///< whose box meets it, in order
   std::vector<std::uint32_t> ground_in(const PlanBox& box) const;
+  std::vector<std::uint32_t> trees_in(const PlanBox& box) const;  ///< whose crown meets it, in order
   /// Of everything that a tile of this box is made from.
   std::uint64_t key_of(const PlanBox& box) const;
   const PlanBox& box() const { return box_; }  ///< of all houses and ground
@@ -87,14 +99,16 @@ class BakeScene {
   };
   void add_house(const Building& house, BakeHouse& out) const;
   void add_ground(const City& city);
+  void add_trees(const City& city);
 
   std::vector<BakeHouse> houses_;
   std::vector<BakeGround> ground_;
+  std::vector<BakeTree> trees_;
   std::vector<PlanBox> ground_boxes_;
   std::vector<std::uint64_t> ground_keys_;
   Terrain terrain_;
   std::uint64_t terrain_key_ = 0;
-  Grid house_grid_, ground_grid_;
+  Grid house_grid_, ground_grid_, tree_grid_;
   PlanBox box_;
 };
 

@@ -11,21 +11,25 @@
 #include "city_db/run_parallel.hpp"
 #include "sectorgen/bake/bake_ground.hpp"
 #include "sectorgen/bake/bake_prisms.hpp"
+#include "sectorgen/bake/prism_trees.hpp"
 
 namespace vicus {
 namespace {
 
-constexpr std::uint64_t kBakerVersion = 4;  // of everything that turns a scene into bytes: raise it when that changes
+constexpr std::uint64_t kBakerVersion = 5;  // of everything that turns a scene into bytes: raise it when that changes
 
 void add_below(const BakeScene& scene, int levels, const TileAddress& at, std::vector<TileNode>& out) {
   TileNode node;
   node.at = at;
-  node.houses = scene.houses_in(tile_box(levels, at)).size();
-  if (node.houses == 0 && at.z > 0) return;
+  const PlanBox box = tile_box(levels, at);
+  node.houses = scene.houses_in(box).size();
+  node.trees = scene.trees_in(box).size();
+  if (node.houses + node.trees == 0 && at.z > 0) return;
   node.has_blockmap = node.houses >= kHousesWorth || at.z == 0;
-  node.has_prisms = node.houses > 0 && node.houses <= kMostPrisms;
+  node.has_prisms = node.houses + node.trees > 0 && node.houses <= kMostPrisms;
   out.push_back(node);
-  if (node.houses <= kFewHouses || at.z + 1 == levels) return;
+  const bool has_all = node.houses <= kFewHouses && has_standing_trees(scene, box.min, tile_side_mm(levels, at.z));
+  if (has_all || at.z + 1 == levels) return;
   for (int which = 0; which < 4; ++which) add_below(scene, levels, child_of(at, which), out);
 }
 

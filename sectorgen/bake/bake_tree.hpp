@@ -16,12 +16,12 @@ namespace vicus {
 inline constexpr std::size_t kHousesWorth = 128;
 /// More houses than this are no tile of prisms: their triangles would be too many for one draw.
 inline constexpr std::size_t kMostPrisms = 4096;
-/// A tile with no more houses than this has no children: its prisms are all there is.
+/// A tile with no more houses and standing trees than this has no children: its prisms are all there is.
 inline constexpr std::size_t kFewHouses = 24;
 
 struct TileNode {
   TileAddress at;
-  std::size_t houses = 0;
+  std::size_t houses = 0, trees = 0;
   bool has_blockmap = false, has_prisms = false;
   std::uint64_t key = 0;  ///< of all that its bytes are made from
 };
@@ -29,7 +29,8 @@ struct TileNode {
 /// Levels of the tree over all houses and surfaces of a city.
 int levels_of(const City& city);
 
-/// From the root down, by level, row, column. Tiles without houses are not among them, but for the root.
+/// From the root down, by level, row, column. Tiles without houses and trees are not among them,
+/// but for the root.
 std::vector<TileNode> plan_tiles(const BakeScene& scene, int levels, unsigned threads);
 
 /// What a tile's path ends with.

@@ -15,7 +15,8 @@ constexpr double kReach_m = 32;    // of ambient light
 constexpr float kReflects = 0.5f;  // of the light that falls on walls: yards are not black
 constexpr int kMostReach = 16;     // samples
 constexpr int kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16};
-constexpr int kLanes = 64;  // samples at a time: so many that the loops over them stay loops
+constexpr std::uint8_t kLeaves = 15;  // among kinds
+constexpr int kLanes = 64;            // samples at a time: so many that the loops over them stay loops
 
 struct Sum {
   ColourMean colour;
@@ -27,6 +28,7 @@ const std::array<ColourMean, 16>& colours_of_kinds() {
   static const auto kColours = [] {
     std::array<ColourMean, 16> out{};
     for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i + 1] = mean_of(surface_colour(static_cast<SurfaceKind>(i)));
+    out[kLeaves] = mean_of(leaf_colour(TreeForm::round, 0));
     return out;
   }();
   return kColours;
@@ -90,7 +92,7 @@ ColourMean between(const std::vector<Sum>& larger, std::size_t n, std::size_t co
 
 }  // namespace
 
-GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
+GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame, bool has_leaves)
     : side_(frame.side), texel_m_(2 * frame.cell_m()) {
   const int n = static_cast<int>(frame.side) * kSamples;
   kind_.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0);
@@ -106,6 +108,23 @@ GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame)
     raster_triangle(x, y, n, n, [&](int column, int row) {
       kind_[static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column)] = kind;
     });
+  }
+  if (has_leaves) add_leaves(scene, frame);
+}
+
+void GroundColours::add_leaves(const BakeScene& scene, const TileFrame& frame) {
+  const int n = static_cast<int>(side_) * kSamples;
+  const double scale = kSamples / frame.cell_m();
+  for (const std::uint32_t i : scene.trees_in(frame.box())) {
+    const BakeTree& tree = scene.trees()[i];
+    const double x = (metres(tree.at.x) - frame.west_m()) * scale, y = (metres(tree.at.y) - frame.south_m()) * scale;
+    const double r = tree.shape.crown_m * scale;
+    const auto first = [](double from) { return std::max(0, static_cast<int>(std::ceil(from - 0.5))); };
+    for (int row = first(y - r); row < n && row + 0.5 <= y + r; ++row)
+      for (int column = first(x - r); column < n && column + 0.5 <= x + r; ++column)
+        if (std::hypot(column + 0.5 - x, row + 0.5 - y) <= r)
+          kind_[static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column)] =
+              kLeaves;
   }
 }
 

@@ -12,8 +12,8 @@ inline constexpr Colour kBeyondCity{GROUND_BEYOND_CITY >> 16, GROUND_BEYOND_CITY
 
 class GroundColours {
  public:
-  /// Four samples a cell.
-  GroundColours(const BakeScene& scene, const TileFrame& frame);
+  /// Four samples a cell. `has_leaves`: with trees as discs of leaves, where nothing else shows them.
+  GroundColours(const BakeScene& scene, const TileFrame& frame, bool has_leaves);
   ColourMean of_cell(std::size_t column, std::size_t row) const;  ///< kBeyondCity where no sample is ground
   /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and
   /// the foot of a wall is never roof-coloured.
@@ -21,9 +21,10 @@ class GroundColours {
   RgbImage filled(double reach_m = 1e9) const;
 
  private:
+  void add_leaves(const BakeScene& scene, const TileFrame& frame);
   std::size_t side_;
   double texel_m_;                  ///< of filled()
-  std::vector<std::uint8_t> kind_;  ///< 1 + SurfaceKind; 0: none
+  std::vector<std::uint8_t> kind_;  ///< 1 + SurfaceKind; 0: none; 15: leaves
 };
 
 /// Ambient light of roofs and ground, 255: the whole sky; N/2 x N/2 values, south row first. Of eight directions the

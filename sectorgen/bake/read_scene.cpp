@@ -23,6 +23,7 @@ BakeScene read_scene(const CityReader& reader, const PlanBox& box) {
     for (Facade& f : reader.facades_of(id))
       if (houses.contains(f.building_id)) city.facades.push_back(std::move(f));
     for (Surface& s : reader.surfaces_of(id)) city.surfaces.push_back(std::move(s));
+    for (StandaloneObject& o : reader.objects_of(id)) city.objects.push_back(std::move(o));
   }
   city.terrain = reader.terrain();
   return BakeScene(

@@ -14,9 +14,10 @@ namespace vicus {
 /// borders, buildings and objects, with their final ids. Source  paper 004 §4.2; research/HOUSES.md §3.
 void lay_out_facades(City& city, const std::map<std::string, HouseModel>& models = {});
 
-/// Paints the textures of all facades that have none yet (photo_facades.hpp) and the atlas of windows and doors
-/// (meta["atlas"]), each picture once. One picture serves all facades of the same style, colour, storeys, bays, door
-/// and shop. Cost    about 10 ms a picture; Rochechouart's 900 facades need some 300.
+/// Paints the textures of all facades that have none yet (photo_facades.hpp) the atlas of windows and doors
+/// (meta["atlas"]) and the ground's grain (meta["grain"]), each picture once. One picture serves all facades of the
+/// same style, colour, storeys, bays, door and shop. Cost    about 10 ms a picture; Rochechouart's 900 facades need
+/// some 300.
 void paint_textures(City& city, unsigned threads);
 
 }  // namespace vicus

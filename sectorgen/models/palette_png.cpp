@@ -101,6 +101,24 @@ Bytes deflated(const Bytes& data) {
   return out;
 }
 
+constexpr unsigned char kGrey = 0, kPalette = 3;  // PNG's colour types
+
+/// Signature and header: deflate, not interlaced.
+Bytes begun_png(int width, int height, int bits, unsigned char colour_type) {
+  Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
+  append_number(header, static_cast<std::uint32_t>(width));
+  append_number(header, static_cast<std::uint32_t>(height));
+  header.insert(header.end(), {static_cast<unsigned char>(bits), colour_type, 0, 0, 0});
+  append_chunk(out, "IHDR", header);
+  return out;
+}
+
+Texture texture_of(int width, int height, std::string png) {
+  char id[17];
+  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(png)));
+  return {id, width, height, std::move(png)};
+}
+
 }  // namespace
 
 std::string palette_png(const Canvas& picture, int colours) {
@@ -112,11 +130,7 @@ std::string palette_png(std::span<const unsigned char> rgba, int width, int heig
   assert(rgba.size() == 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const Indexed image = quantised(rgba, width, height, colours);
   const int count = image.colours(), bits = count <= 2 ? 1 : count <= 4 ? 2 : count <= 16 ? 4 : 8;
-  Bytes out{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
-  append_number(header, static_cast<std::uint32_t>(image.width));
-  append_number(header, static_cast<std::uint32_t>(image.height));
-  header.insert(header.end(), {static_cast<unsigned char>(bits), 3, 0, 0, 0});  // palette, deflate, not interlaced
-  append_chunk(out, "IHDR", header);
+  Bytes out = begun_png(width, height, bits, kPalette);
   append_chunk(out, "PLTE", image.palette);
   if (!image.opacity.empty()) append_chunk(out, "tRNS", image.opacity);
   append_chunk(out, "IDAT", deflated(packed_rows(image, bits)));
@@ -125,11 +139,15 @@ std::string palette_png(std::span<const unsigned char> rgba, int width, int heig
 }
 
 Texture palette_texture(const Canvas& picture, int colours) {
-  Texture texture{"", picture.width(), picture.height(), palette_png(picture, colours)};
-  char id[17];
-  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(steady_hash(texture.png)));
-  texture.id = id;
-  return texture;
+  return texture_of(picture.width(), picture.height(), palette_png(picture, colours));
+}
+
+Texture grey_texture(std::span<const unsigned char> grey, int width, int height) {
+  assert(grey.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  Bytes out = begun_png(width, height, 8, kGrey);
+  append_chunk(out, "IDAT", deflated(packed_rows({width, height, {}, {}, Bytes(grey.begin(), grey.end())}, 8)));
+  append_chunk(out, "IEND", {});
+  return texture_of(width, height, std::string(out.begin(), out.end()));
 }
 
 }  // namespace vicus

@@ -15,6 +15,9 @@ std::string palette_png(const Canvas& picture, int colours);
 /// The same as a texture; its id is a hash of the PNG.
 Texture palette_texture(const Canvas& picture, int colours);
 
+/// A grey PNG of a byte a pixel, top row first, as a texture. A browser multiplies the colours below by it.
+Texture grey_texture(std::span<const unsigned char> grey, int width, int height);
+
 /// The same of 4 bytes a pixel, top row first; the palette has opacities where some pixel has.
 /// Needs   4 * width * height bytes (assert).
 std::string palette_png(std::span<const unsigned char> rgba, int width, int height, int colours);

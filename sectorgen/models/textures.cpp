@@ -6,6 +6,7 @@
 #include "city_db/run_parallel.hpp"
 #include "sectorgen/models/facades.hpp"
 #include "sectorgen/models/paint_facade.hpp"
+#include "sectorgen/models/paint_grain.hpp"
 #include "sectorgen/models/paint_openings.hpp"
 #include "sectorgen/models/palette_png.hpp"
 
@@ -49,6 +50,9 @@ void paint_textures(City& city, unsigned threads) {
   Texture atlas = palette_texture(paint_atlas(), kAtlasColours);
   city.meta["atlas"] = atlas.id;
   by_id.emplace(atlas.id, std::move(atlas));
+  Texture grain = paint_grain();
+  city.meta["grain"] = grain.id;
+  by_id.emplace(grain.id, std::move(grain));
   for (auto& texture : city.textures) by_id.emplace(texture.id, std::move(texture));
   city.textures.clear();
   for (auto& [id, texture] : by_id) city.textures.push_back(std::move(texture));

@@ -35,7 +35,7 @@ inline BlockMap sample_blockmap() {
   return map;
 }
 
-/// A house with a gabled roof and a flat one with a yard.
+/// A house with a gabled roof, a flat one with a yard, one with a roof of its own, two trees.
 inline PrismTile sample_prisms() {
   PrismTile tile;
   tile.corner = {-128'000, 0};
@@ -45,7 +45,7 @@ inline PrismTile sample_prisms() {
   tile.up_step_mm = 100;
   tile.error_mm = 210;
   tile.key = 0x1122334455667788u;
-  tile.palette = {{200, 190, 180}, {150, 70, 50}};
+  tile.palette = {{200, 190, 180}, {150, 70, 50}, {112, 152, 70}, {78, 116, 80}};
   tile.houses = {{PrismKind::gabled, true, 2, {{{80, 520}, {160, 520}, {160, 584}, {80, 584}}}, 5, 62, 31, 0, 1},
                  {PrismKind::flat,
                   false,
@@ -67,6 +67,7 @@ inline PrismTile sample_prisms() {
                   1,
                   {{{560, 640}, 20}},
                   {{false, {0, 1, 4}}, {false, {1, 2, 4}}, {true, {2, 3, 4}}, {false, {0, 4, 3}}}}};
+  tile.trees = {{{64, 600}, 5, 80, 26, TreeForm::round, 2, 2}, {{400, 520}, 6, 120, 19, TreeForm::conifer, 3, 3}};
   return tile;
 }
 

@@ -4,6 +4,7 @@ import test from 'node:test';
 import { TriangleBuilder } from '../../../../client_scripts/core/TriangleBuilder.js';
 import { addGround } from '../../../../client_scripts/core/groundMesh.js';
 import { addPrism } from '../../../../client_scripts/core/prismMesh.js';
+import { addTree } from '../../../../client_scripts/core/treeMesh.js';
 import { readLayout } from '../../../../client_scripts/core/readLayout.js';
 import { doubledArea, triangulate } from '../../../../client_scripts/core/triangulate.js';
 
@@ -67,6 +68,32 @@ test('a house is closed and its faces look outwards: its volume is that of its p
     near(volumeOf(closed(houseOf(kLayout.PRISM_KIND_GABLED, [turned]))), body + 20 * 10 * 4 / 2, 0.01);
     const yard = [[8, 4], [8, 8], [14, 8], [14, 4]];
     near(volumeOf(closed(houseOf(kLayout.PRISM_KIND_FLAT, [ring, yard], { eave: 9, top: 9 }))), (20 * 10 - 6 * 4) * 8, 0.01);
+});
+
+test('a crown is closed, its faces look outwards, and it stays within its height and radius', () => {
+    for (const form of [kLayout.PRISM_TREE_ROUND, kLayout.PRISM_TREE_SLIM, kLayout.PRISM_TREE_CONIFER]) {
+        const builder = new TriangleBuilder(), tree = { form, at: [40, 30], ground: 5, height: 8, crown: 2.5, leaves: [112, 152, 70] };
+        addTree(builder, tree, kLayout);
+        const { positions, normals, indices } = builder.build(), edges = new Map();
+        const isTrunk = i => Math.hypot(positions[3 * i] - 40, positions[3 * i + 2] + 30) < 0.17 && positions[3 * i + 1] < 5 + 0.31 * 8;
+        const crown = [];
+        for (let i = 0; i < indices.length; i += 3) if (![0, 1, 2].every(k => isTrunk(indices[i + k]))) crown.push(...indices.slice(i, i + 3));
+        for (let i = 0; i < crown.length; i += 3)
+            for (const k of [0, 1, 2]) {
+                const [a, b] = [crown[i + k], crown[i + (k + 1) % 3]];
+                edges.set(`${a} ${b}`, 1);
+            }
+        for (const edge of edges.keys()) assert.ok(edges.has(edge.split(' ').reverse().join(' ')), `form ${form}: ${edge}`);
+        const shifted = { positions: positions.map((v, i) => v - [40, 5, -30][i % 3]), indices: crown };
+        const volume = volumeOf(shifted), cylinder = Math.PI * 2.5 * 2.5 * 8;
+        assert.ok(volume > 0.15 * cylinder && volume < 0.6 * cylinder, `form ${form}: ${volume / cylinder}`);
+        for (const i of crown) {
+            const [x, up, z] = [0, 1, 2].map(k => shifted.positions[3 * i + k]);
+            assert.ok(Math.hypot(x, z) < 2.5 + 1e-5 && up > 0 && up < 8 + 1e-5);
+            near(Math.hypot(...normals.slice(3 * i, 3 * i + 3)), 1, 1e-5);
+        }
+    }
+    assert.throws(() => addTree(new TriangleBuilder(), { form: 3, at: [0, 0], ground: 0, height: 8, crown: 2, leaves: [0, 0, 0] }, kLayout), /form/);
 });
 
 test('a house with its own roof is as closed, and its gables have the walls\' colour', () => {

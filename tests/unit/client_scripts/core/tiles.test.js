@@ -20,7 +20,7 @@ function dump(which) {
 test('a layout header is read as it stands', () => {
     assert.equal(kBlockMap.BLOCKMAP_MAGIC, 0x31504d42);
     assert.equal(kBlockMap.BLOCKMAP_HEADER_BYTES, 84);
-    assert.equal(kPrisms.PRISM_STREAMS, 10);
+    assert.equal(kPrisms.PRISM_STREAMS, 15);
 });
 
 test('the prism tile of FORMAT.md is read as C++ wrote it', () => {
@@ -39,6 +39,13 @@ test('the prism tile of FORMAT.md is read as C++ wrote it', () => {
     assert.ok(Math.abs(own.top - own.eave - 2) < 1e-9);
     assert.deepEqual(own.points.map(([x, y]) => [x, y]), [[70, 80]]);
     assert.deepEqual(own.facets, [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 3]].map((corners, i) => ({ isGable: i === 2, corners })));
+    assert.equal(tile.trees.length, 2);
+    const [round, conifer] = tile.trees;
+    assert.deepEqual([round.at, conifer.at], [[8.0625, 75.0625], [50.0625, 65.0625]]);
+    assert.deepEqual([round.form, conifer.form], [kPrisms.PRISM_TREE_ROUND, kPrisms.PRISM_TREE_CONIFER]);
+    assert.deepEqual([round.quadrant, conifer.quadrant], [2, 3]);
+    assert.deepEqual([round.leaves, conifer.leaves], [[112, 152, 70], [78, 116, 80]]);
+    assert.deepEqual([round.ground, round.height, round.crown, conifer.ground].map(m => Math.round(10 * m)), [25, 80, 26, 26]);
     assert.deepEqual(flat.rings[1], [[2.5, 32.5], [2.5, 37.5], [7.5, 37.5], [7.5, 32.5]]);
 });
 
@@ -77,7 +84,7 @@ test('damaged prisms are refused or read, never for long', () => {
         const bytes = dump(2).slice();
         for (let n = 0, state = seed; n < 3; ++n) {
             state = (state * 1103515245 + 12345) % 2147483648;
-            bytes[88 + state % (bytes.length - 88)] = state >> 8;
+            bytes[kPrisms.PRISM_HEADER_BYTES + state % (bytes.length - kPrisms.PRISM_HEADER_BYTES)] = state >> 8;
         }
         let tile = null;
         try {

@@ -62,9 +62,9 @@ TEST(Render, ABoxStandsWhereItsCornersSay) {
 TEST(Render, AFaceIsLitByWhatShinesOnIt) {
   const RayScene scene(box({-1, 4, 0}, {1, 6, 1}));
   const View view = render(scene, camera_at({0, 0, 1}, {0, 1, 1}, kRight, 64, 64), {64, 64, 4, 0.05, 1});
-  // The southern face looks along +z of X3D: lights that go towards -z reach it. Their lengths: 0.6 -0.5 -0.5 and
-  // -0.6 0.45 -0.25.
-  const double light = 1.0 * 0.5 / std::sqrt(0.86) + 0.65 * 0.25 / std::sqrt(0.36 + 0.2025 + 0.0625);
+  // The southern face looks along +z of X3D: lights that go towards -z reach it. Their lengths: 0.6 -0.65 -0.5 and
+  // -0.6 0.15 -0.25.
+  const double light = 1.0 * 0.5 / std::sqrt(0.36 + 0.4225 + 0.25) + 0.68 * 0.25 / std::sqrt(0.36 + 0.0225 + 0.0625);
   EXPECT_NEAR(light_on({0, -1, 0}), light, 1e-12);
   EXPECT_NEAR(view.colour.at(32, 36)[0], light * 200 / 255, 1e-5);
   EXPECT_NEAR(view.colour.at(32, 36)[2], light * 20 / 255, 1e-5);
