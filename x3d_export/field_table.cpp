@@ -101,6 +101,7 @@ const std::vector<NodeSpec>& node_specs() {
         {"location", sf_vec3f},
         {"radius", sf_float}}},
       {"PositionInterpolator", "Interpolation", 2, "children", true, {{"key", mf_float}, {"keyValue", mf_vec3f}}},
+      {"PixelTexture", "Texturing", 1, "texture", true, {{"image", sf_image}}},
       {"ProximitySensor", "EnvironmentalSensor", 1, "children", true, {{"center", sf_vec3f}, {"size", sf_vec3f}}},
       {"Script", "Scripting", 1, "children", true, {{"directOutput", sf_bool}, {"url", mf_string}}},
       {"ShaderPart", "Shaders", 1, "parts", false, {{"type", sf_string}, {"url", mf_string}}},
@@ -150,7 +151,8 @@ constexpr TypeSpec kTypes[] = {
     {sf_rotation, "SFRotation", 4, 6}, {sf_color, "SFColor", 3, 3},       {mf_float, "MFFloat", 1, 6},
     {mf_double, "MFDouble", 1, 3},     {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},
     {mf_vec3f, "MFVec3f", 3, 3},       {mf_vec3d, "MFVec3d", 3, 3},       {mf_color, "MFColor", 3, 3},
-    {mf_int32, "MFInt32", 1, 0},       {sf_node, "SFNode", 1, 0},         {mf_node, "MFNode", 1, 0}};
+    {mf_int32, "MFInt32", 1, 0},       {sf_image, "SFImage", 1, 0},       {sf_node, "SFNode", 1, 0},
+    {mf_node, "MFNode", 1, 0}};
 
 const TypeSpec& type_spec(FieldType type) {
   return *std::find_if(std::begin(kTypes), std::end(kTypes), [type](const TypeSpec& t) { return t.type == type; });

@@ -28,7 +28,7 @@ Node appearance_of(Shading shading, Colour colour, bool is_coloured_by_face) {
 
 std::string texture_url(const std::string& id) { return "../textures/" + id + ".png"; }
 
-void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour) {
+void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour, int bays, int floors) {
   const std::int32_t low = up(bottom_m), high = up(top_m);
   if (a == b || low >= high) return;
   // Seen from the left of a -> b, b is the left end:  b1--a1
@@ -36,7 +36,9 @@ void FaceList::add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m,
   faces_.push_back({{x3d_from_plan(b, low, origin_), x3d_from_plan(a, low, origin_), x3d_from_plan(a, high, origin_),
                      x3d_from_plan(b, high, origin_)},
                     4,
-                    colour});
+                    colour,
+                    static_cast<std::uint8_t>(bays),
+                    static_cast<std::uint8_t>(floors)});
 }
 
 void FaceList::add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour,

@@ -16,6 +16,7 @@ struct Face {
   std::array<X3dPoint, 4> corners;
   int count = 4;
   Colour colour;
+  std::uint8_t bays = 0, floors = 0;  ///< of a wall seen from afar (far_windows.hpp): its windows; 0: plain
 };
 
 /// A planar face of 4 corners, counter-clockwise seen from outside, under an image.
@@ -45,7 +46,7 @@ class FaceList {
   explicit FaceList(PlanPoint origin, double lift_m = 0) : origin_(origin), lift_mm_(height_mm(lift_m)) {}
   void set_lift(double lift_m) { lift_mm_ = height_mm(lift_m); }
   /// The upright wall over the line from `a` to `b`, seen from the left of a -> b. Nothing when it has no area.
-  void add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour);
+  void add_wall(PlanPoint a, PlanPoint b, double bottom_m, double top_m, Colour colour, int bays = 0, int floors = 0);
   /// Triangles of `polygon` at a height, seen from above, or from below.
   void add_floor(const Polygon& polygon, const Triangles& triangles, double up_m, Colour colour, bool from_below);
   /// Triangles with heights of their own; upright ones have no top to see.

@@ -18,6 +18,7 @@ namespace {
     case mf_string:
       return std::holds_alternative<std::vector<std::string>>(value);
     case mf_int32:
+    case sf_image:
       return std::holds_alternative<std::vector<std::int32_t>>(value);
     case sf_node:
     case mf_node:

@@ -33,6 +33,7 @@ enum class FieldType {
   mf_vec3d,
   mf_color,
   mf_int32,
+  sf_image,
   sf_node,
   mf_node
 };

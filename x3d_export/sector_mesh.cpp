@@ -10,6 +10,7 @@
 #include "city_db/segment.hpp"
 #include "city_db/wall_stretches.hpp"
 #include "x3d_export/facade_levels.hpp"
+#include "x3d_export/far_windows.hpp"
 #include "x3d_export/ground_levels.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/house_nodes.hpp"
@@ -107,11 +108,18 @@ void add_walls_without_levels(FaceList& faces, const Border& border, const Build
   }
 }
 
-/// The mean colour of each house's facades in the sector, for walls seen from afar; houses without openings are left
-/// out.
-std::map<std::string, Colour> colours_from_afar(const CityIndex& index, const Sector& sector) {
+/// What a house's facades in the sector look like from afar: their mean colour, storeys and bays of the longest.
+struct FarLook {
+  Colour colour;
+  int floors = 0;
+  double bay_m = 1;
+};
+
+/// By house; those without openings are left out.
+std::map<std::string, FarLook> looks_from_afar(const CityIndex& index, const Sector& sector) {
   struct Sum {
-    double length = 0, r = 0, g = 0, b = 0;
+    double length = 0, r = 0, g = 0, b = 0, longest = 0;
+    FarLook look;
   };
   std::map<std::string, Sum> sums;
   for (const Facade* f : index.facades_of(sector.id)) {
@@ -124,31 +132,45 @@ std::map<std::string, Colour> colours_from_afar(const CityIndex& index, const Se
     sum.r += length * c.r;
     sum.g += length * c.g;
     sum.b += length * c.b;
+    if (length <= sum.longest) continue;
+    sum.longest = length;
+    sum.look = {{}, f->floors, length / (f->bays * f->repeats)};
   }
-  std::map<std::string, Colour> colours;
+  std::map<std::string, FarLook> looks;
   for (const auto& [id, sum] : sums) {
     const auto channel = [&](double v) { return static_cast<std::uint8_t>(std::lround(v / sum.length)); };
-    if (sum.length > 0) colours.emplace(id, Colour{channel(sum.r), channel(sum.g), channel(sum.b)});
+    if (sum.length <= 0) continue;
+    FarLook& look = looks.emplace(id, sum.look).first->second;
+    look.colour = {channel(sum.r), channel(sum.g), channel(sum.b)};
   }
-  return colours;
+  return looks;
+}
+
+void add_windowed_walls(FaceList& faces, const Line& line, const Building& house, const FarLook& look) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double length_m = std::hypot(metres(line[i].x - line[i - 1].x), metres(line[i].y - line[i - 1].y));
+    const WindowGrid grid = window_grid(length_m, look.bay_m, look.floors);
+    faces.add_wall(line[i - 1], line[i], -house.foot_m, wall_top_m(house), look.colour, grid.bays, grid.floors);
+  }
 }
 
 /// Facades of the sector's own border: ground on the left of the line, and seen from there.
 void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, Detail detail) {
   const LeveledStretches levels = detail == Detail::near ? stretches_with_levels(index, sector) : LeveledStretches();
-  const auto from_afar = detail == Detail::near ? std::map<std::string, Colour>() : colours_from_afar(index, sector);
+  const auto from_afar = detail == Detail::near ? std::map<std::string, FarLook>() : looks_from_afar(index, sector);
   for (const Border* border : index.borders_of(sector.id)) {
     if (border->kind != BorderKind::facade || border->line.size() < 2) continue;
     const Building* house = index.building(border->building_id);
     // A house over a passage sends all its walls itself.
     if (!house || house->base_m > 0 || !is_drawn(*house, detail, index, sector)) continue;
     faces.set_lift(house->ground_m);
-    const auto mean = from_afar.find(house->id);
+    const auto look = from_afar.find(house->id);
     if (detail == Detail::near)
       add_walls_without_levels(faces, *border, *house, levels, index.doors_of(sector.id));
+    else if (look == from_afar.end())
+      add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house), house->wall_colour);
     else
-      add_walls(faces, simplified(border->line), -house->foot_m, wall_top_m(*house),
-                mean == from_afar.end() ? house->wall_colour : mean->second);
+      add_windowed_walls(faces, simplified(border->line), *house, look->second);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "city_db/surroundings.hpp"
 #include "x3d_export/door_nodes.hpp"
+#include "x3d_export/far_windows.hpp"
 #include "x3d_export/ground_grain.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/impostor_nodes.hpp"
@@ -80,8 +81,9 @@ SizedNode sized(Node node, SceneFormat format) {
 }
 
 Node layer_shape(const Layer& layer, std::span<const Face> faces) {
-  if (layer.grain.empty()) return shape_of(layer.name, layer.shading, faces);
-  return grained_shape(layer.name, faces, texture_url(layer.grain));
+  if (!layer.grain.empty()) return grained_shape(layer.name, faces, texture_url(layer.grain));
+  const bool has_windows = std::any_of(faces.begin(), faces.end(), [](const Face& face) { return face.bays > 0; });
+  return has_windows ? windowed_shape(layer.name, faces) : shape_of(layer.name, layer.shading, faces);
 }
 
 /// A layer as Shapes, in as many slices as it takes that none is larger than `limit`.

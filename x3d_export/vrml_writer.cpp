@@ -10,7 +10,7 @@ namespace {
 bool is_single(FieldType type) {
   using enum FieldType;
   return type == sf_bool || type == sf_string || type == sf_float || type == sf_vec2f || type == sf_vec3f ||
-         type == sf_rotation || type == sf_color || type == sf_node;
+         type == sf_rotation || type == sf_color || type == sf_image || type == sf_node;
 }
 
 /// VRML97 has no doubles.

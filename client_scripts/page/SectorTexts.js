@@ -101,9 +101,19 @@ export class SectorTexts {
         URL.revokeObjectURL(address);
     }
 
+    /** What is used stays among the latest, of which parcels are told: the city's own images are in every file. */
+    imageOf(name) {
+        const address = this.images.get(name);
+        if (address) {
+            this.images.delete(name);
+            this.images.set(name, address);
+        }
+        return address;
+    }
+
     /** Images that are here are taken from here. */
     withImages({ text, parts }) {
-        const own = whole => whole.replace(kImages, (address, name) => this.images.get(name) ?? address);
+        const own = whole => whole.replace(kImages, (address, name) => this.imageOf(name) ?? address);
         return { text: own(text), parts: parts.map(([name, part]) => [name, own(part)]) };
     }
 

@@ -78,6 +78,18 @@ test('who comes back is asked for nothing, and images that are here are not sent
     assert.deepEqual(asked, ['/parcels?files=a&without=', '/parcels?files=b.far&without=aa11,bb22']);
 });
 
+test('an image that every file shows stays among those that parcels need not bring', async () => {
+    const { texts } = server(), name = i => i.toString(16).padStart(16, '0');
+    texts.keepImage('abcdef0123456789', 'AA==');
+    for (let i = 0; i < 300; ++i) {
+        texts.keepImage(name(i), 'AA==');
+        texts.withImages({ text: "<i url='../textures/abcdef0123456789.png'/>", parts: [] });
+    }
+    const without = texts.urlFor([{ stem: 'a' }]).split('without=')[1].split(',');
+    assert.ok(without.includes('abcdef01'));
+    assert.equal(without.length, 120);
+});
+
 test('an image that two parcels bring has one address', async () => {
     const { texts } = server({ mostKept: 1 }), files = [];
     for (let i = 0; i < 2; ++i) {

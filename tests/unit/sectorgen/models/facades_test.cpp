@@ -143,7 +143,8 @@ TEST(PaintTextures, OnePictureServesAllFacadesThatLookAlike) {
     ids.insert(t.id);
     EXPECT_EQ(t.png.substr(1, 3), "PNG");
   }
-  EXPECT_EQ(ids.size(), 3u) << "12 m, 8 m and the atlas";
+  EXPECT_EQ(ids.size(), 4u) << "12 m, 8 m, the atlas and the ground's grain";
+  EXPECT_TRUE(ids.contains(city.meta["grain"]));
   EXPECT_TRUE(ids.contains(city.meta["atlas"]));
   for (const auto& facade : city.facades) EXPECT_TRUE(ids.contains(facade.texture));
   const auto once = city.textures.front().png;
