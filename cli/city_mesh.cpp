@@ -8,6 +8,7 @@
 
 #include "city_db/issues.hpp"
 #include "sectorgen/bake/picture/png.hpp"
+#include "x3d_export/far_windows.hpp"
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
 
@@ -93,6 +94,11 @@ class CityMeshBuilder {
     triangle.colour = options_.marks_facades ? mark : face.colour;
     triangle.is_two_sided = shading == Shading::two_sided;
     triangle.is_lit = shading != Shading::backdrop && !options_.marks_facades;
+    if (face.bays > 0 && !options_.marks_facades) {
+      triangle.image = number_of_windows(face.colour);
+      const auto u = static_cast<float>(face.bays), v = static_cast<float>(face.floors);
+      add_places({{{0, 0}, {u, 0}, {u, v}, {0, v}}}, triangle);
+    }
     add_corners({face.corners.data(), static_cast<std::size_t>(face.count)}, triangle);
   }
 
@@ -103,14 +109,35 @@ class CityMeshBuilder {
       triangle.is_lit = false;
     } else {
       triangle.image = number_of(image);
-      triangle.places = static_cast<std::uint32_t>(mesh_.places.size());
-      const auto place = [&](std::size_t k) {
-        return std::array{static_cast<float>(face.uv[k][0]), static_cast<float>(face.uv[k][1])};
-      };
-      mesh_.places.push_back({place(0), place(1), place(2)});
-      mesh_.places.push_back({place(0), place(2), place(3)});
+      std::array<std::array<float, 2>, 4> places{};
+      for (std::size_t k = 0; k < 4; ++k)
+        places[k] = {static_cast<float>(face.uv[k][0]), static_cast<float>(face.uv[k][1])};
+      add_places(places, triangle);
     }
     add_corners(face.corners, triangle);
+  }
+
+  void add_places(const std::array<std::array<float, 2>, 4>& places, RenderTriangle& triangle) {
+    triangle.places = static_cast<std::uint32_t>(mesh_.places.size());
+    mesh_.places.push_back({places[0], places[1], places[2]});
+    mesh_.places.push_back({places[0], places[2], places[3]});
+  }
+
+  /// The pattern of far windows (x3d_export/far_windows.hpp) over a wall of this colour.
+  std::uint32_t number_of_windows(Colour wall) {
+    const auto [at, is_new] = windows_.emplace(wall, static_cast<std::uint32_t>(mesh_.images.size()));
+    if (!is_new) return at->second;
+    const auto pattern = window_pattern();
+    const Colour colour = under_windows(wall);
+    CutOut picture(kWindowTexels, kWindowTexels);
+    for (int row = 0; row < kWindowTexels; ++row)
+      for (int column = 0; column < kWindowTexels; ++column) {
+        const auto light = static_cast<float>(pattern[static_cast<std::size_t>(row * kWindowTexels + column)]) / 255;
+        const auto channel = [&](std::uint8_t value) { return light * static_cast<float>(value) / 255; };
+        picture.at(column, kWindowTexels - 1 - row) = {channel(colour.r), channel(colour.g), channel(colour.b), 1};
+      }
+    mesh_.images.push_back(std::make_shared<RepeatedImage>(picture));
+    return at->second;
   }
 
   std::uint32_t number_of(const std::string& image) {
@@ -125,6 +152,7 @@ class CityMeshBuilder {
   const Sector* sector_ = nullptr;
   RenderMesh mesh_;
   std::map<std::string, std::uint32_t> images_;
+  std::map<Colour, std::uint32_t> windows_;
 };
 
 }  // namespace

@@ -22,9 +22,8 @@ struct CityMeshOptions {
 };
 
 /// Frame   origin in the middle of the sectors' grounds.
-/// Differs trees are shaded by face, browsers shade them as one ball; water and trams stand still; no tram is there.
-/// Needs   level is 1 ... 4 (assert).
-/// Fails   CityError: an image is missing or no PNG.
+/// Differs the ground has no grain; trees are shaded by face, browsers shade them as one ball; water and trams stand
+/// still; no tram is there. Needs   level is 1 ... 4 (assert). Fails   CityError: an image is missing or no PNG.
 RenderMesh city_mesh(const CityIndex& index, const ImageSource& image, const CityMeshOptions& options);
 
 /// Images ready for rays, by texture id: made once where several meshes share them.

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "x3d_export/mesh.hpp"
 
@@ -14,6 +15,12 @@ struct WindowGrid {
 
 /// Of a wall that is `length_m` long: `bay_m` wide each, none where it is narrower than a window and its piers.
 WindowGrid window_grid(double length_m, double bay_m, int floors);
+
+/// A window and the wall around it: grey, 255 is the wall. Texels row by row from the bottom, kWindowTexels each way.
+inline constexpr int kWindowTexels = 16;
+std::vector<std::int32_t> window_pattern();
+/// Of a wall under the pattern: as light in the mean as `colour` without it.
+Colour under_windows(Colour colour);
 
 /// shape_of, solid; faces with bays are under the pattern, and as light in the mean as without it.
 /// Needs   as shape_of.

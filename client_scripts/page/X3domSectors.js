@@ -32,6 +32,7 @@ export class X3domSectors {
         if (file.phase !== 'loading') return;
         file.phase = 'live';
         file.record = recordOfElements(file.inline);
+        multiplyGreyTextures(file.inline);
         if (levelOf(file.stem) === 'near') file.surface = groundOfElements(file.inline, file.record?.origin);
         for (const touch of file.inline.querySelectorAll('[DEF^="DOOR-TOUCH-"]'))
             touch.parentNode.onclick = () => file.touched.set(touch.getAttribute('DEF'), performance.now() / 1000);
@@ -92,4 +93,10 @@ function writer(node) {
         target.setAttribute(field, String(value));
         return true;
     } });
+}
+
+/** Those over colours by face are grey: they multiply. X3DOM would show them alone, as it cannot tell how many channels an image has. */
+function multiplyGreyTextures(inline) {
+    for (const shape of inline.querySelectorAll('Shape'))
+        if (shape.querySelector('Color')) shape.querySelector('ImageTexture, PixelTexture')?.setAttribute('origChannelCount', '1');
 }
