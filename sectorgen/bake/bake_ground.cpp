@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "city_db/boxes.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/ground_colours.hpp"
 #include "sectorgen/bake/prism_trees.hpp"
@@ -11,8 +12,8 @@ namespace vicus {
 namespace {
 
 constexpr std::uint32_t kPictureSide = 256, kLevelNodes = 3, kNodes = 33, kLeastStep_mm = 10;
-constexpr double kYard_m =
-    50;  // ground without surfaces in a block is like the ground around; wider, it is beyond the city
+/// Ground without surfaces in a block is like the ground around; squares as wide as this are beyond the city.
+constexpr std::int32_t kYard_mm = 64'000;
 constexpr int kQuality = 82;
 constexpr double kDarkest = 0.45;  // of the light where no sky is seen: what walls reflect
 
@@ -26,6 +27,34 @@ std::vector<double> heights_m(const BakeScene& scene, PlanPoint corner, std::uin
       out.push_back(height_m(scene.terrain(), {at(corner.x, column), at(corner.y, row)}));
     }
   return out;
+}
+
+/// Some square of kYard_mm in the box has no ground.   Error  none that is only cut by a triangle's box is found.
+bool has_void(const BakeScene& scene, const PlanBox& box) {
+  for (std::int32_t y = box.min.y; y < box.max.y; y += kYard_mm)
+    for (std::int32_t x = box.min.x; x < box.max.x; x += kYard_mm)
+      if (scene.ground_in({{x, y}, {x + kYard_mm - 1, y + kYard_mm - 1}}).empty()) return true;
+  return false;
+}
+
+/// Where the city ends in the tile or right beside it, the colours are filled with a square's width around it: so they
+/// meet those of the tiles around, whose squares are the same.
+RgbImage filled_colours(const BakeScene& scene, const TileFrame& tile, bool has_leaves) {
+  const double texel_mm = 2.0 * tile.tile_side_mm / tile.side;
+  const PlanBox around = grown(tile.box(), kYard_mm);
+  if (texel_mm >= kYard_mm || !has_void(scene, around))
+    return GroundColours(scene, tile, has_leaves).filled(metres(kYard_mm));
+  TileFrame wide = tile;
+  wide.corner = around.min;
+  wide.tile_side_mm += 2 * kYard_mm;
+  const auto margin = static_cast<std::uint32_t>(kYard_mm / texel_mm), side = tile.side / 2;
+  wide.side += 4 * margin;
+  const RgbImage all = GroundColours(scene, wide, has_leaves).filled(metres(kYard_mm));
+  RgbImage image(side, side);
+  for (std::uint32_t row = 0; row < side; ++row)
+    for (std::uint32_t column = 0; column < side; ++column)
+      image.set(column, row, all.at(margin + column, margin + row));
+  return image;
 }
 
 std::uint8_t darkened(std::uint8_t colour, std::uint8_t ambient) {
@@ -49,7 +78,7 @@ GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t t
     tile.height.push_back(static_cast<std::uint16_t>(std::lround((h * kMmPerMetre - tile.base_mm) / tile.step_mm)));
 
   const TileFrame frame{corner, 2 * kPictureSide, tile_side_mm, {}};
-  RgbImage picture = GroundColours(scene, frame, !has_standing_trees(scene, corner, tile_side_mm)).filled(kYard_m);
+  RgbImage picture = filled_colours(scene, frame, !has_standing_trees(scene, corner, tile_side_mm));
   const auto ambient = ambient_light(scene, frame);  // south row first
   for (std::size_t row = 0; row < kPictureSide; ++row)
     for (std::size_t column = 0; column < kPictureSide; ++column) {

@@ -428,6 +428,41 @@ TEST(GroundTile, HasTheTerrainAtItsNodesAndThePictureOfTheTown) {
   EXPECT_EQ(decode_ground(encode_ground(tile)), tile);
 }
 
+/// Where the city ends, too: a seam in the open land is seen from far.
+TEST(GroundTile, MeetsTheOneBesideItInColour) {
+  const int levels = tile_levels(town_scene().box());
+  double worst = 0, sum = 0;
+  int rows = 0;
+  for (int z = std::max(0, levels - 2); z < levels; ++z) {
+    const std::uint32_t side = tile_side_mm(levels, z), count = 1u << z;
+    for (std::uint32_t y = 0; y < count; ++y)
+      for (std::uint32_t x = 0; x + 1 < count; ++x) {
+        const auto picture = [&](std::uint32_t column) {
+          const GroundTile tile = bake_ground(town_scene(), tile_corner(levels, {z, column, y}), side);
+          return decode_webp(tile.picture, 256, 256).value();
+        };
+        const RgbImage left = picture(x), right = picture(x + 1);
+        // Between the last column of one and the first of the other as between columns of one tile, in the mean of 16.
+        const auto mean = [](const RgbImage& image, std::size_t column, std::size_t row) {
+          double total = 0;
+          for (std::size_t k = 0; k < 16; ++k) total += image.at(column, row + k).r / 16.0;
+          return total;
+        };
+        for (std::size_t row = 0; row + 16 <= 256; row += 16) {
+          const double a = mean(left, 254, row), b = mean(left, 255, row), c = mean(right, 0, row),
+                       d = mean(right, 1, row);
+          const double inside = std::abs(a - b) + std::abs(c - d), seam = std::abs(b - c);
+          worst = std::max(worst, seam - inside);
+          sum += seam - inside;
+          ++rows;
+        }
+      }
+  }
+  EXPECT_GT(rows, 100);
+  EXPECT_LT(worst, 24) << "a kerb may run along a seam";
+  EXPECT_LT(sum / rows, 1);
+}
+
 TEST(PrismTile, IsTheSameHouseInBothTilesThatHaveIt) {
   const auto corners = town_tiles();
   const PlanPoint left = corners.front(), right{left.x + static_cast<std::int32_t>(kTile_mm), left.y};
