@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <utility>
 
+#include "city_db/ordered_work.hpp"
 #include "city_db/run_parallel.hpp"
 #include "x3d_export/coding.hpp"
 #include "x3d_export/impostor_nodes.hpp"
@@ -19,14 +21,22 @@ class CityArtefacts {
   CityArtefacts(City& city, const PackageOptions& options)
       : city_(city), index_(city), options_(options), near_shapes_(city.sectors.size(), 0) {
     add_textures();
+    begin([this](std::size_t i) { return pack_near(i); });
   }
 
   std::optional<Artefact> next() {
-    while (ready_.empty() && near_done_ < city_.sectors.size()) {
-      fill_ready(near_done_, [this](std::size_t i) { return pack_near(i); });
-      if (near_done_ == city_.sectors.size()) finish_near();
+    while (ready_.empty() && work_) {
+      if (!work_->is_done()) {
+        auto list = work_->take();
+        std::move(list.begin(), list.end(), std::back_inserter(ready_));
+      } else {
+        work_.reset();
+        if (!std::exchange(has_near_, true)) {
+          finish_near();
+          begin([this](std::size_t i) { return pack_rest(i); });
+        }
+      }
     }
-    if (ready_.empty()) fill_ready(rest_done_, [this](std::size_t i) { return pack_rest(i); });
     if (ready_.empty()) return std::nullopt;
     Artefact artefact = std::move(ready_.front());
     ready_.pop_front();
@@ -70,13 +80,10 @@ class CityArtefacts {
     if (!city_.meta.contains("start")) city_.meta["start"] = start_sector(source_of(index_));
   }
 
-  void fill_ready(std::size_t& done, const std::function<std::vector<Artefact>(std::size_t)>& pack) {
+  void begin(std::function<std::vector<Artefact>(std::size_t)> pack) {
     constexpr std::size_t kPerThread = 8;  // enough that threads seldom wait for the slowest sector
-    const std::size_t count = std::min(city_.sectors.size() - done, kPerThread * thread_count(options_.threads));
-    std::vector<std::vector<Artefact>> lists(count);
-    run_parallel(count, thread_count(options_.threads), [&](std::size_t i, unsigned) { lists[i] = pack(done + i); });
-    done += count;
-    for (auto& list : lists) std::move(list.begin(), list.end(), std::back_inserter(ready_));
+    const unsigned threads = thread_count(options_.threads);
+    work_.emplace(city_.sectors.size(), threads, kPerThread * threads, std::move(pack));
   }
 
   std::vector<Artefact> pack_rest(std::size_t i) {
@@ -98,7 +105,8 @@ class CityArtefacts {
   PackageOptions options_;
   std::vector<int> near_shapes_;
   std::deque<Artefact> ready_;
-  std::size_t near_done_ = 0, rest_done_ = 0;  // sectors
+  bool has_near_ = false;
+  std::optional<OrderedWork<std::vector<Artefact>>> work_;  // of near files, then of the rest; last: it uses the others
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ import { kSurfaces } from './prismMesh.js';
 const kRound = [[1, 0, 1.1], [0.78, 0.82, 1.02], [0.44, 1, 0.85], [0.24, 0, 0.65]];
 const kSlim = [[1, 0, 1.1], [0.6, 0.9, 1], [0.2, 1, 0.75], [0.12, 0, 0.6]];
 const kConifer = [[1, 0, 1.1], [0.16, 1, 0.8], [0.14, 0, 0.6]];
-const kSides = 6, kTrunk = 0.02, kTrunkTop = 0.3, kBark = [92, 74, 58];
+const kCrownSides = 6, kTrunk = 0.02, kTrunkTop = 0.3, kBark = [92, 74, 58];
 
 /**
  * Adds a tree (of decodePrisms) to a TriangleBuilder, metres from the tile's corner: a trunk of three faces and a crown of one skin,
@@ -21,8 +21,8 @@ export function addTree(builder, { form, at: [east, north], ground, height, crow
     const numbers = rings.map(([up, wide, light], r) => {
         const colour = [...leaves.map(value => Math.min(1, light * value / 255)), kSurfaces.roof];
         const slope = 2 * (r + 0.5) / rings.length - 1;   // -1 at the top, 1 below
-        return Array.from({ length: wide === 0 ? 1 : kSides }, (_, i) => {
-            const angle = 2 * Math.PI * (i + 0.5 * r + turn) / kSides, x = Math.sin(angle), z = Math.cos(angle), across = wide === 0 ? 0 : Math.sqrt(1 - slope * slope);
+        return Array.from({ length: wide === 0 ? 1 : kCrownSides }, (_, i) => {
+            const angle = 2 * Math.PI * (i + 0.5 * r + turn) / kCrownSides, x = Math.sin(angle), z = Math.cos(angle), across = wide === 0 ? 0 : Math.sqrt(1 - slope * slope);
             return builder.corner([east + crown * wide * x, ground + height * up, -north + crown * wide * z],
                 wide === 0 ? [0, -Math.sign(slope), 0] : [across * x, -slope, across * z], colour, [0, 0]);
         });
@@ -33,7 +33,7 @@ export function addTree(builder, { form, at: [east, north], ground, height, crow
 /** Faces between two rings, or a ring and a point; the lower ring's corners lie behind the upper one's by half a side. */
 function addBand(builder, upper, lower) {
     const of = (ring, i) => ring[i % ring.length];
-    for (let i = 0; i < kSides; ++i) {
+    for (let i = 0; i < kCrownSides; ++i) {
         if (upper.length > 1) builder.triangle(of(lower, i), of(upper, i + 1), of(upper, i));
         if (lower.length > 1) builder.triangle(of(lower, i), of(lower, i + 1), of(upper, i + 1));
     }

@@ -29,6 +29,7 @@ test(`a walk in ${name} by X3DOM`, { timeout: 600000 }, async t => {
     await page.waitForTimeout(1500);
     await page.screenshot({ path: join(kShots, 'x3dom-start.png') });
     assert.ok(await colours(page) > 60, 'the view is empty');
+    assert.deepEqual(await greyTextures(page), [true], 'grain and windows multiply the colours below');
 
     const way = await map.path(start, await visitor.place(), await map.gateMiddle(start, next));
     const beyond = (await map.wallsToRunInto(next))[0].stand;
@@ -44,6 +45,15 @@ test(`a walk in ${name} by X3DOM`, { timeout: 600000 }, async t => {
     await page.close();
     if (name === 'town') await t.test('a door opens and leads in', () => goInside(browser, server));
 });
+
+/** Whether X3DOM multiplies: of the textures over colours by face, each answer once. */
+function greyTextures(page) {
+    return page.evaluate(() => {
+        const shapes = [...document.querySelectorAll('inline Shape')].filter(shape => shape.querySelector('Color'));
+        const textures = shapes.map(shape => shape.querySelector('ImageTexture, PixelTexture')).filter(Boolean);
+        return [...new Set(textures.map(texture => texture._x3domNode._blending))];
+    });
+}
 
 async function goInside(browser, server) {
     const { street, room, door, at, heading } = await firstDoor(server.origin);
