@@ -145,7 +145,7 @@ void HouseWalls::visit_cells(Spot p, Spot q, Visit visit) const {
 bool HouseWalls::roof_stops(std::uint32_t house, Spot p, double p_up_m, Spot q, double q_up_m, bool is_goal) const {
   const HouseBody& body = houses_[house];
   const double zero_m = is_goal ? body.sure_zero_m : body.most_zero_m;
-  const double last = is_goal ? 1 - 0.05 / std::max(0.05, std::hypot(q.x - p.x, q.y - p.y)) : 1;
+  const double last = is_goal ? 1 - 0.05 / std::max(0.05, length_of(q.x - p.x, q.y - p.y)) : 1;
   for (std::uint32_t i = body.first_triangle; i < body.last_triangle; ++i) {
     const RoofTriangle& t = triangles_[i];
     if (std::min(p_up_m, q_up_m) > zero_m + t.most_m() + kAbove_m) continue;

@@ -140,7 +140,7 @@ class Explorer {
   /// No eye of the region is on the outer side of the wall.
   bool is_behind(const Region& eyes, const Region& wall) const {
     if (!scene_.targets.is_wall[wall.segment]) return false;
-    const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = std::hypot(dx, dy);
+    const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = length_of(dx, dy);
     const auto left_of = [&](Spot p) { return (dx * (p.y - wall.a.y) - dy * (p.x - wall.a.x)) / length; };
     constexpr double kSlack_m = 1e-5;
     if (eyes.is_segment()) return left_of(eyes.a) > kSlack_m && left_of(eyes.b) > kSlack_m;
@@ -158,7 +158,7 @@ class Explorer {
     constexpr double kSlack_m = 1e-5;
     const SightSegment& rim = rim_.segments[eyes.segment];
     const double dx = rim.b.x - rim.a.x, dy = rim.b.y - rim.a.y,
-                 inwards = (dx * (centre.y - rim.a.y) - dy * (centre.x - rim.a.x)) / std::hypot(dx, dy);
+                 inwards = (dx * (centre.y - rim.a.y) - dy * (centre.x - rim.a.x)) / length_of(dx, dy);
     return inwards < -radius - kSlack_m && low_m > eye_m_;
   }
 
@@ -254,7 +254,7 @@ class Explorer {
     if (state_of(target) != State::unknown || is_behind(eyes, target) ||
         is_seen_better_elsewhere(eyes, target.centre, target.radius, target.low_m))
       return false;
-    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    const double length = length_of(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
     if (length > eyes.radius + target.radius && is_blocked(eyes, target)) return false;
     if (is_seen(eyes, target)) return set_state(target, State::known), false;
     const bool eyes_are_small = eyes.radius <= least_m_, target_is_small = target.radius <= least_m_;
@@ -292,7 +292,7 @@ class Explorer {
   bool is_behind_a_hill(const Region& eyes, const Region& target) const {
     const Terrain& terrain = scene_.terrain;
     if (terrain.height_mm.empty()) return false;
-    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    const double length = length_of(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
     const int places = std::clamp(static_cast<int>(length / metres(terrain.step_mm)), 4, kMostHillPlaces);
     for (int i = 1; i < places; ++i) {
       const double t = static_cast<double>(i) / places, radius = (1 - t) * eyes.radius + t * target.radius;
@@ -306,7 +306,7 @@ class Explorer {
 
   bool blocks(const Region& eyes, const Region& target, const Crossing& crossing) const {
     const HouseBody& body = scene_.walls.houses()[crossing.house];
-    const double length = std::hypot(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
+    const double length = length_of(target.centre.x - eyes.centre.x, target.centre.y - eyes.centre.y);
     const double rise = target.top_m - eye_m_;
     if (!body.stands() || body.sure_top_m < eye_m_ + rise * (rise >= 0 ? crossing.from : crossing.to)) return false;
     double step = std::max(0.02, 0.25 * (eyes.radius + (target.radius - eyes.radius) * crossing.from)) / length;
@@ -352,7 +352,7 @@ class Explorer {
   /// Asked at each half step of the terrain: only what is called proven depends on it.
   bool is_above_ground(Spot p, double p_up, Spot q, double q_up) const {
     if (scene_.terrain.height_mm.empty()) return true;
-    const double steps = std::ceil(std::hypot(q.x - p.x, q.y - p.y) / metres(scene_.terrain.step_mm) * 2);
+    const double steps = std::ceil(length_of(q.x - p.x, q.y - p.y) / metres(scene_.terrain.step_mm) * 2);
     for (double i = 1; i < steps; ++i)
       if (p_up + (q_up - p_up) * i / steps <
           ground_at({std::lerp(p.x, q.x, i / steps), std::lerp(p.y, q.y, i / steps)}))

@@ -25,14 +25,14 @@ RoofTriangle::RoofTriangle(const RoofPoint& a, const RoofPoint& b, const RoofPoi
   const double bx = corner[1].x - at_.x, by = corner[1].y - at_.y, cx = corner[2].x - at_.x, cy = corner[2].y - at_.y;
   const double area2 = bx * cy - by * cx, b_up = up_of(b) - up_, c_up = up_of(c) - up_;
   slope_ = {(b_up * cy - c_up * by) / area2, (c_up * bx - b_up * cx) / area2};
-  steepness_ = std::hypot(slope_.x, slope_.y);
+  steepness_ = length_of(slope_.x, slope_.y);
   least_m_ = std::min({up_of(a), up_of(b), up_of(c)});
   most_m_ = std::max({up_of(a), up_of(b), up_of(c)});
   low_ = {std::min({corner[0].x, corner[1].x, corner[2].x}), std::min({corner[0].y, corner[1].y, corner[2].y})};
   high_ = {std::max({corner[0].x, corner[1].x, corner[2].x}), std::max({corner[0].y, corner[1].y, corner[2].y})};
   for (std::size_t k = 0; k < 3; ++k) {
     const Spot p = corner[k], q = corner[(k + 1) % 3];
-    const double length = std::hypot(q.x - p.x, q.y - p.y);
+    const double length = length_of(q.x - p.x, q.y - p.y);
     normal_[k] = {-(q.y - p.y) / length, (q.x - p.x) / length};
     offset_[k] = -(normal_[k].x * p.x + normal_[k].y * p.y);
   }
