@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "city_db/issues.hpp"
@@ -89,6 +90,29 @@ TEST_F(SampleCityMesh, HoldsOnlyTheSectorsAskedFor) {
   const RenderMesh one = city_mesh(index_, textures_of(city_), options);
   EXPECT_LT(one.triangles.size(), mesh(4).triangles.size() / 2);
   EXPECT_FALSE(one.triangles.empty());
+}
+
+/// As in their files (x3d_export/far_windows.hpp): darker panes, and as light in the mean as level 1.
+TEST_F(SampleCityMesh, FarSectorsHaveWindows) {
+  std::vector<SectorPart> parts;
+  for (const Sector& s : city_.sectors) parts.push_back({&s, Detail::far});
+  const View far = from_the_street(parts_mesh(index_, cached(textures_of(city_)), parts)),
+             plain = from_the_street(mesh(1));
+  double sum_far = 0, sum_plain = 0, darkest = 1, lightest = 0, same = 0;
+  int pixels = 0;
+  for (int row = 5; row < 25; ++row)  // of the wall, above the door
+    for (int column = 5; column < 75; ++column) {
+      const double a = far.colour.at(column, row)[0], b = plain.colour.at(column, row)[0];
+      sum_far += a;
+      sum_plain += b;
+      darkest = std::min(darkest, a);
+      lightest = std::max(lightest, a);
+      same += std::abs(a - b) < 0.01;
+      ++pixels;
+    }
+  EXPECT_NEAR(sum_far / pixels, sum_plain / pixels, 0.06);
+  EXPECT_LT(darkest, 0.6 * lightest);
+  EXPECT_LT(same / pixels, 0.8) << "sky and roof beside it are";
 }
 
 // x3d_export states the colours of openings, sectorgen/models paints them: neither knows the other.
