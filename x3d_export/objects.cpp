@@ -66,6 +66,7 @@ std::vector<Spindle> far_spindles_of(const StandaloneObject& object) {
   auto parts = tree(object);
   if (parts.back().high_m < kLeast_m) return {};
   for (auto& s : parts) s.sides = 3;
+  parts[1].radius_low_m = 0.45 * parts[1].radius_high_m;  // a steep side gets light, an underside none
   return parts;
 }
 
