@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kPictureSide = 256, kLevelNodes = 3, kNodes = 33, kLeastStep_mm = 10;
 /// Ground without surfaces in a block is like the ground around; squares as wide as this are beyond the city.
-constexpr std::int32_t kYard_mm = 64'000;
+constexpr std::uint32_t kYard_mm = kGroundSquare_mm;
 constexpr int kQuality = 82;
 constexpr double kDarkest = 0.45;  // of the light where no sky is seen: what walls reflect
 
@@ -29,32 +29,18 @@ std::vector<double> heights_m(const BakeScene& scene, PlanPoint corner, std::uin
   return out;
 }
 
-/// Some square of kYard_mm in the box has no ground.   Error  none that is only cut by a triangle's box is found.
-bool has_void(const BakeScene& scene, const PlanBox& box) {
-  for (std::int32_t y = box.min.y; y < box.max.y; y += kYard_mm)
-    for (std::int32_t x = box.min.x; x < box.max.x; x += kYard_mm)
-      if (scene.ground_in({{x, y}, {x + kYard_mm - 1, y + kYard_mm - 1}}).empty()) return true;
-  return false;
-}
-
-/// Where the city ends in the tile or right beside it, the colours are filled with a square's width around it: so they
-/// meet those of the tiles around, whose squares are the same.
+/// Where the city ends in or beside the tile, what is wide without ground is filled in coarser squares first, with a
+/// square of kYard_mm around the tile: so the colours meet those of the tiles around, whose squares are the same.
 RgbImage filled_colours(const BakeScene& scene, const TileFrame& tile, bool has_leaves) {
-  const double texel_mm = 2.0 * tile.tile_side_mm / tile.side;
-  const PlanBox around = grown(tile.box(), kYard_mm);
-  if (texel_mm >= kYard_mm || !has_void(scene, around))
-    return GroundColours(scene, tile, has_leaves).filled(metres(kYard_mm));
-  TileFrame wide = tile;
-  wide.corner = around.min;
-  wide.tile_side_mm += 2 * kYard_mm;
-  const auto margin = static_cast<std::uint32_t>(kYard_mm / texel_mm), side = tile.side / 2;
-  wide.side += 4 * margin;
-  const RgbImage all = GroundColours(scene, wide, has_leaves).filled(metres(kYard_mm));
-  RgbImage image(side, side);
-  for (std::uint32_t row = 0; row < side; ++row)
-    for (std::uint32_t column = 0; column < side; ++column)
-      image.set(column, row, all.at(margin + column, margin + row));
-  return image;
+  constexpr std::uint32_t kCoarser = 8;
+  const GroundColours colours(scene, tile, has_leaves);
+  const std::uint32_t square_mm = kCoarser * 2 * tile.tile_side_mm / tile.side;
+  const PlanBox around = grown(tile.box(), std::int32_t{kYard_mm});
+  if (square_mm > kYard_mm || !scene.lacks_ground(grown(around, -1))) return colours.filled(metres(kYard_mm));
+  const std::uint32_t side_mm = tile.tile_side_mm + 2 * kYard_mm;
+  const RgbImage larger =
+      GroundColours(scene, {around.min, 2 * side_mm / square_mm, side_mm, {}}, has_leaves).filled(metres(kYard_mm));
+  return colours.filled(metres(square_mm), &larger);
 }
 
 std::uint8_t darkened(std::uint8_t colour, std::uint8_t ambient) {

@@ -15,7 +15,7 @@
 namespace vicus {
 namespace {
 
-constexpr std::int32_t kGridCell_mm = 64'000;
+constexpr std::int32_t kGridCell_mm = kGroundSquare_mm;
 constexpr double kOnWall_mm = 2;           // a roof's corner over a wall: rounded to 1 mm
 constexpr double kOnFacade_mm = 10;        // facades are straightened by kStraight_mm
 constexpr double kLeastArea_mm2 = 10'000;  // of a triangle that may say how a facet lies
@@ -138,6 +138,13 @@ std::vector<std::uint32_t> BakeScene::Grid::find(const PlanBox& box) const {
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
+}
+
+bool BakeScene::Grid::is_full(const PlanBox& box) const {
+  for (std::int32_t x = grid_of(box.min.x); x <= grid_of(box.max.x); ++x)
+    for (std::int32_t y = grid_of(box.min.y); y <= grid_of(box.max.y); ++y)
+      if (!cells_.contains(grid_key(x, y))) return false;
+  return true;
 }
 
 std::function<std::string(const std::string&)> pictures_of(const City& city) {
@@ -271,6 +278,8 @@ std::vector<std::uint32_t> BakeScene::ground_in(const PlanBox& box) const {
   std::erase_if(out, [&](std::uint32_t i) { return !meet(ground_boxes_[i], box); });
   return out;
 }
+
+bool BakeScene::lacks_ground(const PlanBox& box) const { return !ground_grid_.is_full(box); }
 
 std::vector<std::uint32_t> BakeScene::trees_in(const PlanBox& box) const {
   auto out = tree_grid_.find(box);

@@ -62,6 +62,8 @@ struct BakeGround {
   SurfaceKind kind = SurfaceKind::pavement;
 };
 
+inline constexpr std::int32_t kGroundSquare_mm = 64'000;
+
 struct BakeTree {
   std::string id;
   PlanPoint at;
@@ -83,6 +85,9 @@ class BakeScene {
   const Terrain& terrain() const { return terrain_; }
   std::vector<std::uint32_t> houses_in(const PlanBox& box) const;  ///< whose box meets it, in order
   std::vector<std::uint32_t> ground_in(const PlanBox& box) const;
+  /// Some square of kGroundSquare_mm (from the origin on) that meets the box has none.   Error  triangles count by
+  /// their boxes.
+  bool lacks_ground(const PlanBox& box) const;
   std::vector<std::uint32_t> trees_in(const PlanBox& box) const;  ///< whose crown meets it, in order
   /// Of everything that a tile of this box is made from.
   std::uint64_t key_of(const PlanBox& box) const;
@@ -93,6 +98,7 @@ class BakeScene {
    public:
     void add(const PlanBox& box, std::uint32_t item);
     std::vector<std::uint32_t> find(const PlanBox& box) const;
+    bool is_full(const PlanBox& box) const;  ///< every cell that meets the box has an item
 
    private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;

@@ -16,7 +16,7 @@
 namespace vicus {
 namespace {
 
-constexpr std::uint64_t kBakerVersion = 6;  // of everything that turns a scene into bytes: raise it when that changes
+constexpr std::uint64_t kBakerVersion = 7;  // of everything that turns a scene into bytes: raise it when that changes
 
 void add_below(const BakeScene& scene, int levels, const TileAddress& at, std::vector<TileNode>& out) {
   TileNode node;

@@ -134,29 +134,36 @@ ColourMean GroundColours::of_cell(std::size_t column, std::size_t row) const {
   return sum.weight > 0 ? sum.colour * (1 / sum.weight) : mean_of(kBeyondCity);
 }
 
-RgbImage GroundColours::filled(double reach_m) const {
+RgbImage GroundColours::filled(double reach_m, const RgbImage* larger) const {
   // Pull: sums of ever larger squares. Push: empty squares take the colour of the next larger one.
-  std::vector<std::vector<Sum>> levels;
-  std::size_t n = side_ / 2;
-  levels.emplace_back(n * n);
+  // Kept from one tile to the next: memory that is given back and asked for again costs a tenth of the bake.
+  thread_local std::array<std::vector<Sum>, 16> levels;
+  std::size_t n = side_ / 2, top = 0;
+  levels[0].resize(n * n);
   const std::size_t samples = 2 * kSamples, stride = side_ * kSamples;
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column)
       levels[0][row * n + column] = sum_of(&kind_[row * samples * stride + column * samples], samples, stride);
   for (double square_m = texel_m_; n > 1 && square_m < reach_m; n /= 2, square_m *= 2) {
-    std::vector<Sum> next(n / 2 * (n / 2));
+    std::vector<Sum>& next = levels.at(top + 1);
+    next.assign(n / 2 * (n / 2), {});
     for (std::size_t row = 0; row < n; ++row)
       for (std::size_t column = 0; column < n; ++column) {
         Sum& s = next[row / 2 * (n / 2) + column / 2];
-        const Sum& from = levels.back()[row * n + column];
+        const Sum& from = levels[top][row * n + column];
         s.colour = s.colour + from.colour;
         s.weight += from.weight;
       }
-    levels.push_back(std::move(next));
+    ++top;
   }
-  for (Sum& s : levels.back())
-    if (s.weight == 0) s = {mean_of(kBeyondCity), 1};
-  for (std::size_t level = levels.size() - 1; level-- > 0;) {
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t column = 0; column < n; ++column) {
+      Sum& s = levels[top][row * n + column];
+      if (s.weight > 0) continue;
+      const std::size_t margin = larger == nullptr ? 0 : (larger->width - n) / 2;
+      s = {mean_of(larger == nullptr ? kBeyondCity : larger->at(margin + column, margin + n - 1 - row)), 1};
+    }
+  for (std::size_t level = top; level-- > 0;) {
     const std::size_t size = (side_ / 2) >> level;
     for (std::size_t row = 0; row < size; ++row)
       for (std::size_t column = 0; column < size; ++column) {

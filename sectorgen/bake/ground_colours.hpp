@@ -17,8 +17,9 @@ class GroundColours {
   ColourMean of_cell(std::size_t column, std::size_t row) const;  ///< kBeyondCity where no sample is ground
   /// N/2 x N/2, north row first. Where houses stand the colours around them go on, so that coding it costs little and
   /// the foot of a wall is never roof-coloured.
-  /// Squares wider than reach_m without any ground are kBeyondCity.
-  RgbImage filled(double reach_m = 1e9) const;
+  /// Squares of reach_m and more without any ground are kBeyondCity; or as `larger` has them, north row first, with so
+  /// many of its pixels beyond the tile on each side.   Needs   a pixel of `larger` is reach_m wide.
+  RgbImage filled(double reach_m = 1e9, const RgbImage* larger = nullptr) const;
 
  private:
   void add_leaves(const BakeScene& scene, const TileFrame& frame);
