@@ -15,8 +15,8 @@ struct SunLight {
   double direction[3];  ///< the way the light goes; not of length 1
   double intensity;
 };
-/// A third of the compass apart, so that no facade and no slope of a roof stays dark; the third shines a little upwards,
-/// on undersides and crowns.
+/// A third of the compass apart, so that no facade and no slope of a roof stays dark; the third shines a little
+/// upwards, on undersides and crowns.
 inline constexpr SunLight kLights[] = {
     {{0.6, -0.65, -0.5}, 1.0}, {{0.12, -0.35, 0.75}, 0.75}, {{-0.6, 0.15, -0.25}, 0.68}};
 

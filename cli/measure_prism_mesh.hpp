@@ -4,9 +4,9 @@
 
 namespace vicus::measure {
 
-/// Adds the houses and trees of a tile as a client draws them: walls from the ground, simple roofs (prism_tile.hpp). A house that
-/// several tiles hold is added by the one that owns it, unless `all`.
-/// Needs   a tile from decode_prisms or bake_prisms.
+/// Adds the houses and trees of a tile as a client draws them: walls from the ground, simple roofs (prism_tile.hpp). A
+/// house that several tiles hold is added by the one that owns it, unless `all`. Needs   a tile from decode_prisms or
+/// bake_prisms.
 void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all);
 
 }  // namespace vicus::measure

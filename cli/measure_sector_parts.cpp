@@ -59,8 +59,8 @@ std::vector<SentFile> stored_files(SharedCity& city, const SectorPart& part) {
     for (const std::string& id : images_of(city, *part.sector, level))
       out.push_back({"textures/" + id + ".png", city.stored_bytes("textures/" + id + ".png").value_or(0)});
   if (const auto grain = city.city().meta.find("grain"); grain != city.city().meta.end())
-    out.push_back({"textures/" + grain->second + ".png",
-                   city.stored_bytes("textures/" + grain->second + ".png").value_or(0)});
+    out.push_back(
+        {"textures/" + grain->second + ".png", city.stored_bytes("textures/" + grain->second + ".png").value_or(0)});
   return once_each(std::move(out));
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSensorSide_m = 200'000, kSensorHeight_m = 20'000;
 constexpr double kUnknownHalf_m = 500;
 /// Where two thirds of a colour are haze: the city is seen to its rim, and where the ground ends it is as the sky.
-constexpr double kLeastHaze_m = 5'000, kMostHaze_m = 12'000, kHazePerHalf = 0.75;
+constexpr double kLeastHaze_m = 5'000, kMostHaze_m = 15'000, kHazePerHalf = 0.75;
 constexpr double kBack = 0.75, kUp = 0.6;  // of the city's half side: a view over all of it
 
 ScriptField field(const char* name, FieldType type, FieldValue value) {
