@@ -15,7 +15,7 @@ out vec4 pixel;
 
 /// Of a wall: what its corners say (core/prismMesh.js, kSurfaces), and the light at its foot in a street.
 const float kFoot = 0.35, kEave = 0.65, kDarkest = 0.62;
-const float kRoof = 0.08;       // below: a roof; up to kFoot's middle: land beyond the city
+const float kRoof = 0.08, kBeyond = 0.25;   // up to these: a roof, land beyond the city
 const float kMist = 0.8;        // halves of the city's square beyond its rim, where two thirds of a colour are mist
 const vec3 kGlass = vec3(0.27, 0.31, 0.36);
 const vec2 kWindowLow = vec2(0.29, 0.3), kWindowHigh = vec2(0.71, 0.84);   // of a pattern's cell
@@ -43,13 +43,13 @@ void main() {
     vec2 wide = max(fwidth(place), vec2(1e-4));
     if (colour.a > 0.75) {
         own = texture(x3d_Texture2D[0], place).rgb;
-    } else if (colour.a > 0.25) {
+    } else if (colour.a > kBeyond) {
         vec2 share = windows(place, wide);
         own = mix(own, kGlass, 0.8 * share.x * share.y);
         sky = mix(kDarkest, 1.0, clamp((colour.a - kFoot) / (kEave - kFoot), 0.0, 1.0));
     }
     float haze = 1.0 - exp(-dot(fromEye, fromEye) / (hazeDistance * hazeDistance));
-    if (colour.a > kRoof && colour.a <= 0.25) {
+    if (colour.a > kRoof && colour.a <= kBeyond) {
         vec2 beyond = max(abs(place) - 1.0, 0.0) / kMist;
         haze = 1.0 - (1.0 - haze) * exp(-dot(beyond, beyond));
     }

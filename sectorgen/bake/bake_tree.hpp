@@ -16,7 +16,7 @@ namespace vicus {
 inline constexpr std::size_t kHousesWorth = 128;
 /// More houses than this are no tile of prisms: their triangles would be too many for one draw.
 inline constexpr std::size_t kMostPrisms = 4096;
-/// A tile with no more houses and standing trees than this has no children: its prisms are all there is.
+/// A tile with no more houses than this, and whose trees stand, has no children: its prisms are all there is.
 inline constexpr std::size_t kFewHouses = 24;
 
 struct TileNode {

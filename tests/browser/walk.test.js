@@ -38,9 +38,10 @@ for (const [name, make] of Object.entries(cities())) test(`a walk in ${name}`, {
         await visitor.streetTime();
         assert.equal((await visitor.now()).current, start);
         await visitor.settle();
-        const sent = bytesBeside(visitor, [`/sectors/${start}.x3d`, `/sectors/${start}.1.x3d`, '/city.x3d', '/']);
-        t.diagnostic(`${start}: ${sent} bytes without X_ITE and the neighbours`);
-        assert.ok(sent <= kFirstSectorBytes, `${sent} bytes`);
+        const page = bytesBeside(visitor, ['/city.x3d', '/']), sector = await bytesOfParcel(server.origin, start);
+        t.diagnostic(`${start}: ${page} bytes of page and root world without X_ITE, ${sector} of the sector with its images`);
+        assert.ok(page <= kFirstSectorBytes, `${page} bytes`);
+        assert.ok(sector > 5000 && sector <= kFirstSectorBytes, `${sector} bytes`);
         await shoot('start');
     });
 
@@ -131,6 +132,13 @@ function bytesBeside(visitor, paths) {
     let sum = 0;
     for (const [path, bytes] of visitor.bytes) if (paths.includes(path) || path.startsWith('/client/')) sum += bytes;
     return sum;
+}
+
+/** As sent: what the page asks for first (page/SectorTexts.js). */
+async function bytesOfParcel(origin, id) {
+    const response = await fetch(`${origin}/parcels?files=${id}&without=`, { headers: { 'Accept-Encoding': 'br' } });
+    await response.arrayBuffer();
+    return Number(response.headers.get('Content-Length'));
 }
 
 /** From where the visitor is in chain[i - 1] through the gate into chain[i], beyond the hysteresis. */
