@@ -23,10 +23,10 @@ void add_below(const BakeScene& scene, int levels, const TileAddress& at, std::v
   node.at = at;
   const PlanBox box = tile_box(levels, at);
   node.houses = scene.houses_in(box).size();
-  node.trees = scene.trees_in(box).size();
-  if (node.houses + node.trees == 0 && at.z > 0) return;
+  const bool is_empty = node.houses == 0 && scene.trees_in(box).empty();
+  if (is_empty && at.z > 0) return;
   node.has_blockmap = node.houses >= kHousesWorth || at.z == 0;
-  node.has_prisms = node.houses + node.trees > 0 && node.houses <= kMostPrisms;
+  node.has_prisms = !is_empty && node.houses <= kMostPrisms;
   out.push_back(node);
   const bool has_all = node.houses <= kFewHouses && has_standing_trees(scene, box.min, tile_side_mm(levels, at.z));
   if (has_all || at.z + 1 == levels) return;

@@ -21,7 +21,7 @@ inline constexpr std::size_t kFewHouses = 24;
 
 struct TileNode {
   TileAddress at;
-  std::size_t houses = 0, trees = 0;
+  std::size_t houses = 0;
   bool has_blockmap = false, has_prisms = false;
   std::uint64_t key = 0;  ///< of all that its bytes are made from
 };
