@@ -21,6 +21,7 @@ build_packages=(
   libdraco-dev libmeshoptimizer-dev libtinygltf-dev libstb-dev  # glTF
   libembree-dev                                     # pictures: rays
   libspdlog-dev libcli11-dev nlohmann-json3-dev
+  esbuild                                           # the page's programs in one file
   nodejs npm                                        # fetches X_ITE
 )
 test_packages=(

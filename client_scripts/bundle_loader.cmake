@@ -1,5 +1,9 @@
 # An X3D Script's one file: cmake -DOUT=loader.js -P bundle_loader.cmake; with -DWHICH=flyer that of /flyover.x3d.
-# An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`.
+# An X3D Script cannot import, so the modules are laid end to end without `import` lines and the word `export`, and
+# what only people read is taken off (top-level names stay: X3D browsers call functions by them).
+if(NOT ESBUILD)
+  find_program(ESBUILD esbuild REQUIRED)
+endif()
 set(modules core/planGeometry.js core/sectorRecord.js core/recordMetadata.js core/loadPhase.js core/sectorSets.js
             core/tightBox.js core/GateTracker.js core/SectorFinder.js core/loadOrder.js core/LevelChoice.js
             core/GateImpostors.js core/Doors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
@@ -16,3 +20,9 @@ foreach(module ${modules})
   string(APPEND bundle "${text}")
 endforeach()
 file(WRITE ${OUT} "${bundle}")
+execute_process(COMMAND ${ESBUILD} ${OUT} --minify-whitespace --minify-syntax --target=es2022 --log-level=warning
+                        "--banner:js=/* Vicus, MIT licence. As written: /client/x3d/ and /client/core/. */" --allow-overwrite --outfile=${OUT}
+                RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "esbuild could not read ${OUT}")
+endif()

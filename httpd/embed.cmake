@@ -1,7 +1,7 @@
 # Writes client_scripts into one .cpp:
-#   cmake -DROOT=client_scripts -DLAYOUTS=city_db -DLOADER=loader.js -DFLYER=flyer.js -DOUT=client_files.cpp -P embed.cmake
+#   cmake -DROOT=client_scripts -DLAYOUTS=city_db -DBUNDLES=FOLDER -DOUT=client_files.cpp -P embed.cmake
 # LAYOUTS' *_layout.h become layout/*_layout.h: the page and its shaders read the formats that C++ was compiled with.
-# LOADER and FLYER (may be missing) become loader.js and flyer.js beside the folders core, x3d and page.
+# BUNDLES' files (bundle_*.cmake) lie beside the folders core, x3d and page.
 set(files)
 foreach(suffix js mjs html css svg png vert frag)
   foreach(folder core x3d page)
@@ -32,12 +32,11 @@ file(GLOB layouts RELATIVE ${LAYOUTS} ${LAYOUTS}/*_layout.h)
 foreach(file ${layouts})
   embed(layout/${file} ${LAYOUTS}/${file})
 endforeach()
-if(LOADER AND EXISTS ${LOADER})
-  embed(loader.js ${LOADER})
-endif()
-if(FLYER AND EXISTS ${FLYER})
-  embed(flyer.js ${FLYER})
-endif()
+file(GLOB_RECURSE bundles RELATIVE ${BUNDLES} ${BUNDLES}/*.js ${BUNDLES}/*.css)
+list(SORT bundles)
+foreach(file ${bundles})
+  embed(${file} ${BUNDLES}/${file})
+endforeach()
 file(WRITE ${OUT}.new "#include \"httpd/static_files.hpp\"\n\nnamespace vicus {\nnamespace {\n${arrays}}  // namespace\n
 const std::vector<EmbeddedFile>& embedded_client_files() {
   static const std::vector<EmbeddedFile> files = {

@@ -52,7 +52,7 @@ class StaticFiles {
   const StaticFile* x3dom(const std::string& path) const;
   const StaticFile* impostor(const std::string& path) const;           ///< path below /impostors/
   const std::string& x_ite_version() const { return x_ite_version_; }  ///< empty: there is no X_ITE
-  /// Makes the codings of the one large file every visitor needs, so that the first need not wait.
+  /// Makes the codings of the large files every visitor needs, so that the first need not wait.
   void warm() const;
 
  private:

@@ -1,9 +1,7 @@
-const kWorker = '/client/page/tileWorker.js';
-
 /** Has tiles made ready by a worker. */
 export class TileWorkshop {
     constructor(layouts) {
-        Object.assign(this, { worker: new Worker(kWorker, { type: 'module' }), waiting: new Map(), next: 0 });
+        Object.assign(this, { worker: new Worker(new URL('./tileWorker.js', import.meta.url), { type: 'module' }), waiting: new Map(), next: 0 });
         this.worker.postMessage({ layouts });
         this.worker.addEventListener('message', ({ data: { id, mesh, error } }) => {
             const { resolve, reject } = this.waiting.get(id);

@@ -230,7 +230,7 @@ for (const [name, make] of Object.entries(made)) test(`flying over ${name}`, { t
         }, null, { timeout: 180000 });
         await page.screenshot({ path: join(kShots, `${name}-flyover-x3d.png`) });
         assert.deepEqual(tab.complaints, []);
-        assert.ok(tab.requests.every(({ path }) => !path.startsWith('/client/page/')), 'the page took part');
+        assert.ok(tab.requests.every(({ path }) => !/^\/client\/(page|bundle)\//.test(path)), 'the page took part');
         await page.close();
     });
 });

@@ -31,7 +31,7 @@ for (const format of ['x3d', 'wrl']) test(`the .${format} world of ${name} works
         await assertSector(tab.page, map, route[i], format);
     }
     assert.deepEqual(tab.complaints, []);
-    assert.ok(tab.requests.every(({ path }) => !path.startsWith('/client/page/')), 'the page took part');
+    assert.ok(tab.requests.every(({ path }) => !/^\/client\/(page|bundle)\//.test(path)), 'the page took part');
 });
 
 /** The LOADER says `id`, and L_1 of it is there: live Inlines (X3D) or what the Script fetched (VRML97, near files alone). */

@@ -1,24 +1,36 @@
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const kScripts = fileURLToPath(new URL('../../../../client_scripts/', import.meta.url));
 
-/** Files that `file` imports, and what those import. */
-function importsOf(file, found = new Set()) {
-    for (const [, path] of readFileSync(file, 'utf8').matchAll(/^import .* from '(\..*)';$/gm)) {
-        const other = join(dirname(file), path);
-        if (!found.has(other)) importsOf(other, found.add(other));
-    }
-    return found;
-}
+const folder = mkdtempSync(join(tmpdir(), 'vicus-page-')), text = name => readFileSync(join(folder, name), 'utf8');
+execFileSync('cmake', [`-DOUT=${folder}`, '-P', join(kScripts, 'bundle_page.cmake')]);
+test.after(() => rmSync(folder, { recursive: true }));
 
-test('index.html names every module of the page, so that a browser asks for all at once', () => {
-    const html = readFileSync(join(kScripts, 'page/index.html'), 'utf8');
-    const preloaded = [...html.matchAll(/rel="modulepreload" href="\/client\/(.*?)"/g)].map(([, path]) => path);
-    const imported = [...importsOf(join(kScripts, 'page/main.js'))].map(path => relative(kScripts, path));
-    assert.deepEqual(preloaded.sort(), imported.sort());
-    assert.ok(imported.length > 8);
+/** What a bundle asks for by itself, before somebody flies. */
+const importsOf = program => [...program.matchAll(/(?:\bfrom|\bimport)\s*"(\.[^"]*)"/g)].map(([, path]) => path);
+
+test('the page is few files: one program and one style sheet, each without imports of its own', () => {
+    const made = readdirSync(folder);
+    for (const name of ['main.js', 'x3domMain.js']) {
+        assert.deepEqual(importsOf(text(name)), [], name);
+        assert.match(text(name), /^\/\* Vicus, MIT licence/, name);
+    }
+    assert.ok(!text('page.css').includes('@import'));
+    for (const html of ['index.html', 'x3dom.html'])
+        for (const [, name] of readFileSync(join(kScripts, 'page', html), 'utf8').matchAll(/"\/client\/bundle\/(.*?)"/g))
+            assert.ok(made.includes(name), `${html} names ${name}`);
+});
+
+test('what flying takes comes only when somebody flies, with the worker beside it', () => {
+    const [shared] = importsOf(text('flightParts.js'));
+    assert.match(text('main.js'), /import\("\.\/flightParts\.js"\)/);
+    assert.deepEqual(importsOf(text('tileWorker.js')), [shared]);
+    assert.deepEqual(importsOf(text(shared)), []);
+    assert.ok(text('main.js').length > 50_000 && text('main.js').length < 150_000, `${text('main.js').length} bytes`);
 });
