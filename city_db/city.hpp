@@ -288,6 +288,27 @@ struct GateImpostor {
   std::string png;  ///< as made; in the file it is the artefact impostors/GATE.png
 };
 
+/// Sides of the prism that a panorama stands on: 22.5 degrees each.
+inline constexpr int kPanoramaSides = 16;
+
+/// What an open sector sees of the city beyond its L_vis, above nearer roofs, as a picture far behind all that L_vis
+/// names (paper 004 §4.1.7 and §6): sides of an upright prism around `eye`. Side 0 begins in the north; on clockwise.
+/// Seen from the eye, side k reaches from k to k + 1 sixteenths of a turn, its left and right edges `radius_m` from the
+/// eye.
+///
+/// Frame   heights above the plan frame's 0.
+struct Panorama {
+  std::string sector_id;
+  PlanPoint eye;  ///< where it was taken from
+  double eye_up_m = 0;
+  double radius_m = 0;
+  double bottom_m = 0, top_m = 0;
+  double near_m = 0, far_m = 0;  ///< what it shows is so far from the eye
+  std::uint32_t sides = 0;       ///< bit k: side k shows something; those stand in the image in order, from the left
+  std::uint32_t width_px = 0, height_px = 0;
+  std::string png;  ///< as made; in the file it is the artefact panoramas/SECTOR.png
+};
+
 /// One row of L_vis: some eye in `sector_id` may see `visible_sector_id`.
 struct Visible {
   std::string sector_id, visible_sector_id;
@@ -331,6 +352,7 @@ struct City {
   std::vector<Door> doors;          ///< by id
   std::vector<Visible> visible;
   std::vector<GateImpostor> impostors;  ///< by gate; empty: none were baked
+  std::vector<Panorama> panoramas;      ///< by sector; of some
   Terrain terrain;
   std::vector<Issue> issues;
 };

@@ -63,10 +63,12 @@ class CityReader {
   std::vector<Door> doors_of(const std::string& sector_id) const;
   std::vector<Visible> visible_from(const std::string& sector_id) const;
   std::vector<GateImpostor> impostors_of(const std::string& sector_id) const;
+  std::optional<Panorama> panorama_of(const std::string& sector_id) const;
   /// Ids of the sectors whose box meets `box`, in id order, at most `limit`, after skipping `offset`.
   std::vector<std::string> sectors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;
   std::vector<Gate> gates_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;
   std::vector<Building> buildings_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;
+  std::vector<Interior> interiors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const;
 
  private:
   struct Impl;

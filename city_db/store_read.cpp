@@ -49,6 +49,7 @@ City read_city(const std::filesystem::path& path, const std::set<std::string>& t
   read("door", city.doors);
   read("visible", city.visible);
   read("impostor", city.impostors);
+  read("panorama", city.panoramas);
   read("issue", city.issues);
   std::vector<Terrain> terrains;
   read("terrain", terrains);

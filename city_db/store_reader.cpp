@@ -188,6 +188,11 @@ std::vector<GateImpostor> CityReader::impostors_of(const std::string& sector_id)
   return impl_->rows_of<GateImpostor>("impostor", sector_id);
 }
 
+std::optional<Panorama> CityReader::panorama_of(const std::string& sector_id) const {
+  auto rows = impl_->rows_of<Panorama>("panorama", sector_id);
+  return rows.empty() ? std::nullopt : std::optional(std::move(rows.front()));
+}
+
 std::vector<std::string> CityReader::sectors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const {
   std::vector<std::string> ids;
   for (auto& sector : impl_->rows_in<Sector>("sector", box, limit, offset)) ids.push_back(std::move(sector.id));
@@ -198,6 +203,9 @@ std::vector<Gate> CityReader::gates_in(const PlanBox& box, std::size_t limit, st
 }
 std::vector<Building> CityReader::buildings_in(const PlanBox& box, std::size_t limit, std::size_t offset) const {
   return impl_->rows_in<Building>("building", box, limit, offset);
+}
+std::vector<Interior> CityReader::interiors_in(const PlanBox& box, std::size_t limit, std::size_t offset) const {
+  return impl_->rows_in<Interior>("interior", box, limit, offset);
 }
 
 }  // namespace vicus

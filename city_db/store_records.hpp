@@ -25,6 +25,7 @@ void bind_record(Statement& row, const Interior& interior);
 void bind_record(Statement& row, const Door& door);
 void bind_record(Statement& row, const Visible& visible);
 void bind_record(Statement& row, const GateImpostor& impostor);
+void bind_record(Statement& row, const Panorama& panorama);
 void bind_record(Statement& row, const Terrain& terrain);
 void bind_record(Statement& row, const Issue& issue);
 void bind_record(Statement& row, const Artefact& artefact);
@@ -46,6 +47,7 @@ void read_record(const Statement& row, Interior& interior);
 void read_record(const Statement& row, Door& door);
 void read_record(const Statement& row, Visible& visible);
 void read_record(const Statement& row, GateImpostor& impostor);
+void read_record(const Statement& row, Panorama& panorama);
 void read_record(const Statement& row, Terrain& terrain);
 void read_record(const Statement& row, Issue& issue);
 void read_record(const Statement& row, Artefact& artefact);
@@ -64,6 +66,7 @@ PlanBox box_of_record(const Viewpoint& viewpoint);
 PlanBox box_of_record(const Interior& interior);
 PlanBox box_of_record(const Door& door);
 PlanBox box_of_record(const GateImpostor& impostor);
+PlanBox box_of_record(const Panorama& panorama);
 PlanBox box_of_record(const Issue& issue);
 
 }  // namespace vicus

@@ -9,7 +9,7 @@ namespace vicus {
 
 class Database;
 
-inline constexpr int kFormatVersion = 7;
+inline constexpr int kFormatVersion = 8;
 inline constexpr const char* kGeometryColumn = "geom";
 
 struct Column {

@@ -87,6 +87,7 @@ const std::vector<Style>& styles() {
        {{"in", "gate to another sector", "20,160,60,255", "", "0.7"},
         {"out", "end of the city", "220,30,30,255", "", "0.7"}}},
       {"impostor", "line", nullptr, nullptr, {{"", "picture beyond a gate", "200,120,220,255", "", "0.3"}}},
+      {"panorama", "marker", nullptr, nullptr, {{"", "panorama", "200,120,220,255", "110,50,130,255", "1.6"}}},
       {"object", "marker", nullptr, nullptr, {{"", "object", "60,150,80,255", "30,80,40,255", "1.4"}}},
       {"viewpoint", "marker", nullptr, "\"name\"", {{"", "viewpoint", "60,100,220,255", "20,40,110,255", "1.8"}}},
       {"issue", "marker", nullptr, "\"code\"", {{"", "issue", "230,20,20,255", "120,0,0,255", "2.2"}}}};

@@ -115,6 +115,7 @@ void write_city(const std::filesystem::path& path, const City& city,
   write_list(db, "door", city.doors, written);
   write_list(db, "visible", city.visible, written);
   write_list(db, "impostor", city.impostors, written);
+  write_list(db, "panorama", city.panoramas, written);
   write_list(db, "terrain", std::vector<Terrain>(city.terrain.height_mm.empty() ? 0 : 1, city.terrain), written);
   write_list(db, "issue", city.issues, written);
   write_meta(db, city, written);

@@ -16,6 +16,7 @@
 #include "cli/tiles.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
 #include "sectorgen/bake/impostors/bake_impostor.hpp"
+#include "sectorgen/bake/impostors/bake_panorama.hpp"
 #include "sectorgen/geo/map_name.hpp"
 #include "sectorgen/geo/room_list.hpp"
 #include "sectorgen/models/author_models.hpp"
@@ -35,7 +36,7 @@ struct Arguments {
   bool strict = false;
   bool fresh_ids = false;
   bool no_tiles = false;
-  std::string over_roofs = "auto", impostors = "no";
+  std::string over_roofs = "auto", impostors = "no", panoramas = "no";
 };
 
 /// Whole map to sectors, with what each stage cost so far: how the time left is guessed.
@@ -44,9 +45,10 @@ struct Progress {
   explicit Progress(const Context& context) : shown(!context.quiet && isatty(STDERR_FILENO) != 0) {}
   void operator()(const char* stage) const {
     // Shares of a typical build (docs/figures.md), so that the estimate is a number a person can use.
-    static const std::map<std::string, double> kDone = {
-        {"read", 0},      {"normalise", 0.1},  {"sectors", 0.2},   {"records", 0.25}, {"models", 0.27},
-        {"ground", 0.29}, {"visibility", 0.3}, {"impostors", 0.5}, {"tiles", 0.8},    {"export", 0.85}};
+    static const std::map<std::string, double> kDone = {{"read", 0},         {"normalise", 0.1}, {"sectors", 0.2},
+                                                        {"records", 0.25},   {"models", 0.27},   {"ground", 0.29},
+                                                        {"visibility", 0.3}, {"impostors", 0.5}, {"panoramas", 0.55},
+                                                        {"tiles", 0.8},      {"export", 0.85}};
     if (!shown) return;
     const double done = kDone.at(stage), spent = cpu_seconds();
     if (done > 0)
@@ -127,6 +129,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   if (!arguments.streets.empty()) options["streets"] = arguments.streets;
   if (arguments.over_roofs != "auto") options["over_roofs"] = arguments.over_roofs;
   if (arguments.impostors != "no") options["impostors"] = arguments.impostors;
+  if (arguments.panoramas != "no") options["panoramas"] = arguments.panoramas;
   if (!arguments.terrain.empty()) options["terrain"] = std::filesystem::path(arguments.terrain).filename().string();
   if (!arguments.photos.empty()) options["photos"] = std::filesystem::path(arguments.photos).filename().string();
   if (!arguments.interiors.empty())
@@ -198,6 +201,18 @@ void add_impostors(const Arguments& arguments, City& city) {
   city.impostors = bake_impostors(city, scene, options);
 }
 
+void add_panoramas(const Arguments& arguments, City& city) {
+  const CityIndex index(city);
+  std::vector<SectorPart> parts;
+  for (const Sector& s : city.sectors) parts.push_back({&s, Detail::far, 1, {}});
+  std::vector<std::uint32_t> first;
+  RenderMesh mesh = parts_mesh(index, cached(textures_of(city)), parts, false, &first);
+  const FarCity far{RayScene(std::move(mesh)), std::move(first)};
+  PanoramaOptions options;
+  options.threads = arguments.threads;
+  city.panoramas = bake_panoramas(city, far, options);
+}
+
 void report_over_budget(City& city, std::uint64_t budget_bytes) {
   for (const auto& s : city.sectors)
     if (s.bytes > budget_bytes)
@@ -242,6 +257,10 @@ void run(const Arguments& arguments, Context& context) {
   if (wants_impostors(arguments, city)) {
     clock.begin("impostors");
     add_impostors(arguments, city);
+  }
+  if (arguments.panoramas == "yes") {
+    clock.begin("panoramas");
+    add_panoramas(arguments, city);
   }
   clock.begin("export");
   PackageOptions package;
@@ -306,6 +325,11 @@ void add_build(CLI::App& app, Context& context) {
                    "pictures shown in gates until what lies behind has come: no, yes, auto (yes up to " +
                        std::to_string(kSectorsWithImpostors) + " sectors)")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
+  command
+      ->add_option("--panoramas", arguments->panoramas,
+                   "what squares and open land see of the city above nearer roofs, as a picture behind all that comes "
+                   "itself: yes, no; a city with whole lists over roofs needs none")
+      ->check(CLI::IsMember({"yes", "no"}));
   command->add_flag("--strict", arguments->strict, "exit 3 when the map has any issue");
   command->add_flag("--no-tiles", arguments->no_tiles,
                     "bake no BlockMaps and prisms for flying over; the server then makes each when first asked for");

@@ -43,8 +43,9 @@ class CityMeshBuilder {
     return std::move(mesh_);
   }
 
-  RenderMesh of(const std::vector<SectorPart>& parts) {
+  RenderMesh of(const std::vector<SectorPart>& parts, std::vector<std::uint32_t>& first_triangles) {
     for (const SectorPart& part : parts) {
+      first_triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
       add_body(*part.sector, part.detail);
       if (part.detail != Detail::near) continue;
       const int finest = finest_level(index_, *part.sector);
@@ -54,6 +55,7 @@ class CityMeshBuilder {
         add_facades(pieces[i].levels[std::min(level, finest) - 1]);
       }
     }
+    first_triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
     return std::move(mesh_);
   }
 
@@ -167,10 +169,13 @@ RenderMesh city_mesh(const CityIndex& index, const ReadyImages& images, const Ci
 }
 
 RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
-                      bool has_city_ends) {
+                      bool has_city_ends, std::vector<std::uint32_t>* first_triangles) {
   CityMeshOptions options;
   options.has_city_ends = has_city_ends;
-  return CityMeshBuilder(index, images, options).of(parts);
+  std::vector<std::uint32_t> first;
+  RenderMesh mesh = CityMeshBuilder(index, images, options).of(parts, first);
+  if (first_triangles != nullptr) *first_triangles = std::move(first);
+  return mesh;
 }
 
 ReadyImages cached(ImageSource image) {

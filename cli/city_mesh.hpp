@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <set>
@@ -39,9 +40,10 @@ struct SectorPart {
   std::vector<int> levels = {};  ///< near: by sector_pieces, 1 ... 4
 };
 /// Some files of a city, as sent: a sector whose file leaves level 4 out comes in level 3.
+/// `first_triangles`: where it is not null, becomes the first triangle of each part, and the number of all.
 /// Frame   origin in the middle of all the city's ground, whatever the parts.   Fails   as above.
 RenderMesh parts_mesh(const CityIndex& index, const ReadyImages& images, const std::vector<SectorPart>& parts,
-                      bool has_city_ends = true);
+                      bool has_city_ends = true, std::vector<std::uint32_t>* first_triangles = nullptr);
 
 /// An image source that takes what city.textures holds.   Needs   `city` outlives it.
 ImageSource textures_of(const City& city);

@@ -19,6 +19,7 @@
 #include "x3d_export/house_shell.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/interior_scene.hpp"
+#include "x3d_export/panorama_nodes.hpp"
 #include "x3d_export/portals.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
@@ -131,6 +132,10 @@ void write_textures(const City& city, const fs::path& city_file, const fs::path&
                written);
   for (const auto& impostor : city.impostors) {
     const std::string path = impostor_path(impostor.gate_id);
+    write_file(folder / path, stored_image(reader, city_file, path), written);
+  }
+  for (const auto& panorama : city.panoramas) {
+    const std::string path = panorama_path(panorama.sector_id);
     write_file(folder / path, stored_image(reader, city_file, path), written);
   }
 }

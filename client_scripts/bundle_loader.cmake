@@ -6,7 +6,7 @@ if(NOT ESBUILD)
 endif()
 set(modules core/planGeometry.js core/sectorRecord.js core/recordMetadata.js core/loadPhase.js core/sectorSets.js
             core/tightBox.js core/GateTracker.js core/SectorFinder.js core/loadOrder.js core/LevelChoice.js
-            core/GateImpostors.js core/Doors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
+            core/GateImpostors.js core/Panoramas.js core/Doors.js core/SectorPlanner.js core/SectorLoader.js x3d/InlineSectors.js x3d/VrmlSectors.js x3d/loader.js)
 if(WHICH STREQUAL flyer)
   set(modules core/readLayout.js core/groundTile.js core/prismTile.js core/triangulate.js core/TriangleBuilder.js core/prismMesh.js core/treeMesh.js
               core/groundMesh.js core/tileMesh.js core/blockMap.js core/indexedPicture.js core/blockMapTexture.js core/blockMapMesh.js core/tileLoad.js core/viewCone.js core/TileTree.js core/TileRequests.js

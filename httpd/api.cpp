@@ -47,7 +47,7 @@ HttpResponse answer_api(const HttpRequest& request) {
   Json paths;
   paths["/"] = get("getLandingPage", "application/json", "links to everything else");
   paths["/conformance"] = get("getConformance", "application/json", "conformance classes");
-  paths["/collections"] = get("getCollections", "application/json", "sectors, gates, houses");
+  paths["/collections"] = get("getCollections", "application/json", "sectors, gates, houses, interiors");
   paths["/collections/{collectionId}"] =
       get("describeCollection", "application/json", "one collection", Json::array({collection}));
   paths["/collections/{collectionId}/items"] = get("getFeatures", "application/geo+json", "a page of features",
@@ -62,7 +62,7 @@ HttpResponse answer_api(const HttpRequest& request) {
       get("getParcel", "application/x-ndjson", "X3D files of many sectors: a line that lists them, then one line each",
           Json::array({text("files", "ID, ID.far, ID.tall, separated by commas"),
                        text("without", "images too, but those whose names begin so; may be empty")}));
-  paths["/search"] = get("search", "application/json", "streets, squares, houses, shops and sights by name",
+  paths["/search"] = get("search", "application/json", "streets, squares, houses, rooms, shops and sights by name",
                          Json::array({text("q", "a name, accents and typing errors forgiven")}));
   paths["/tours"] =
       get("getTour", "application/json", "the shortest walk, step by step; without parameters, ready ones",

@@ -192,7 +192,7 @@ HttpResponse answer_collections(const HttpRequest& request, const Url& url, cons
   const auto& all = collections();
   const auto collection = std::find_if(all.begin(), all.end(), [&](const Collection& c) { return name == c.name; });
   if (collection == all.end())
-    return problem(404, "There is no collection " + name + ". There are sectors, gates and houses.");
+    return problem(404, "There is no collection " + name + ". There are sectors, gates, houses and interiors.");
   rest.erase(0, slash);
   if (rest.empty()) return answer_json(request, kJson, describe(*collection));
   if (rest == "/items") return answer_items(request, url, city, *collection);

@@ -45,6 +45,16 @@ Feature feature_of(const Building& building) {
   return feature;
 }
 
+Feature feature_of(const Interior& interior) {
+  auto feature = feature_of(interior.sector);
+  feature.properties.erase("names");
+  feature.properties["building_id"] = interior.building_id;
+  feature.properties["source_id"] = interior.source_id;
+  feature.properties["floor_m"] = interior.floor_m;
+  feature.properties["height_m"] = interior.height_m;
+  return feature;
+}
+
 template <class Record>
 std::vector<Feature> features_of(const std::vector<Record>& records) {
   std::vector<Feature> features;
@@ -79,7 +89,12 @@ const std::vector<Collection>& collections() {
        [](const CityReader& city, const PlanBox& box, std::size_t limit, std::size_t offset) {
          return features_of(city.buildings_in(box, limit, offset));
        },
-       [](const CityReader& city, const std::string& id) { return feature_if(city.building(id)); }}};
+       [](const CityReader& city, const std::string& id) { return feature_if(city.building(id)); }},
+      {"interiors", "Interiors", "Rooms behind doors", true,
+       [](const CityReader& city, const PlanBox& box, std::size_t limit, std::size_t offset) {
+         return features_of(city.interiors_in(box, limit, offset));
+       },
+       [](const CityReader& city, const std::string& id) { return feature_if(city.interior(id)); }}};
   return all;
 }
 

@@ -67,6 +67,7 @@ CityIndex::CityIndex(const City& city) : city_(&city) {
   for (const auto& p : city.prototypes) prototypes_.emplace(p.kind, &p);
   for (const auto& v : city.viewpoints) viewpoints_of_[v.sector_id].push_back(&v);
   for (const auto& i : city.impostors) impostors_of_[i.sector_id].push_back(&i);
+  for (const auto& p : city.panoramas) panoramas_.emplace(p.sector_id, &p);
   for (const auto& v : city.visible) {
     visible_from_[v.sector_id].push_back(&v);
     if (!v.building_ids.empty())
@@ -125,6 +126,10 @@ const std::vector<const Visible*>& CityIndex::visible_from(const std::string& id
 const std::vector<const GateImpostor*>& CityIndex::impostors_of(const std::string& id) const {
   return find_list(impostors_of_, id);
 }
+const Panorama* CityIndex::panorama_of(const std::string& id) const {
+  const auto at = panoramas_.find(id);
+  return at == panoramas_.end() ? nullptr : at->second;
+}
 const std::set<std::string>& CityIndex::tall_houses_of(const std::string& id) const {
   static const std::set<std::string> kNone;
   const auto at = tall_houses_of_.find(id);
@@ -145,6 +150,10 @@ RecordSource source_of(const CityIndex& index) {
   source.objects_of = [&index](const std::string& id) { return copies(index.objects_of(id)); };
   source.visible_from = [&index](const std::string& id) { return copies(index.visible_from(id)); };
   source.impostors_of = [&index](const std::string& id) { return copies(index.impostors_of(id)); };
+  source.panorama_of = [&index](const std::string& id) {
+    const Panorama* p = index.panorama_of(id);
+    return p ? std::optional(*p) : std::nullopt;
+  };
   source.houses_in = [&index](const PlanBox& box) {
     std::vector<Building> houses;
     for (const auto& house : index.city().buildings)

@@ -25,6 +25,7 @@ struct RecordSource {
   std::function<std::vector<StandaloneObject>(const std::string& sector_id)> objects_of;
   std::function<std::vector<Visible>(const std::string& sector_id)> visible_from;
   std::function<std::vector<GateImpostor>(const std::string& sector_id)> impostors_of;
+  std::function<std::optional<Panorama>(const std::string& sector_id)> panorama_of;
   std::function<std::vector<Building>(const PlanBox& box)> houses_in;  ///< whose footprint's box meets `box`
   std::function<std::vector<std::string>()> sector_ids;                ///< of the streets
   std::function<std::string(const std::string& key)> meta;             ///< empty where there is none
@@ -52,6 +53,7 @@ class CityIndex {
   const std::vector<const Viewpoint*>& viewpoints_of(const std::string& sector_id) const;
   const std::vector<const Visible*>& visible_from(const std::string& sector_id) const;
   const std::vector<const GateImpostor*>& impostors_of(const std::string& sector_id) const;
+  const Panorama* panorama_of(const std::string& sector_id) const;  ///< nullptr: it has none
   /// Ids of the houses of the sector that some other sector sees over roofs.
   const std::set<std::string>& tall_houses_of(const std::string& sector_id) const;
 
@@ -75,6 +77,7 @@ class CityIndex {
   BySector<Viewpoint> viewpoints_of_;
   BySector<Visible> visible_from_;
   BySector<GateImpostor> impostors_of_;
+  std::map<std::string, const Panorama*> panoramas_;
   std::map<std::string, std::set<std::string>> tall_houses_of_;
 };
 

@@ -10,6 +10,7 @@
 #include "x3d_export/coding.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/interior_scene.hpp"
+#include "x3d_export/panorama_nodes.hpp"
 #include "x3d_export/root_scene.hpp"
 #include "x3d_export/sector_scene.hpp"
 
@@ -50,6 +51,8 @@ class CityArtefacts {
           {"textures/" + texture.id + ".png", "image/png", "identity", strong_hash(texture.png), texture.png});
     for (const GateImpostor& i : city_.impostors)
       ready_.push_back({impostor_path(i.gate_id), "image/png", "identity", strong_hash(i.png), i.png});
+    for (const Panorama& p : city_.panoramas)
+      ready_.push_back({panorama_path(p.sector_id), "image/png", "identity", strong_hash(p.png), p.png});
   }
 
   void add_interiors() {

@@ -19,8 +19,8 @@ struct PackageOptions {
 /// The one row that holds `body`: as brotli, or as it is where that saves nothing. The hash is that of the row's body.
 Artefact stored(const std::string& path, const std::string& media_type, const std::string& body, int brotli_quality);
 
-/// Every artefact of the city one by one: its textures and impostors; for each sector .x3d with its parts; its
-/// interiors; then for each sector .far.x3d and .tall.x3d where it has one, and .json. nullopt at the end.
+/// Every artefact of the city one by one: its textures, impostors and panoramas; for each sector .x3d with its parts;
+/// its interiors; then for each sector .far.x3d and .tall.x3d where it has one, and .json. nullopt at the end.
 ///
 /// Once the last was pulled every Sector.bytes is filled: stored bytes of the near X3D file and its parts; and meta
 /// "start" is set where it was not.

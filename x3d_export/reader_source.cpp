@@ -18,6 +18,7 @@ RecordSource source_of(const CityReader& reader) {
   source.objects_of = [&reader](const std::string& id) { return reader.objects_of(id); };
   source.visible_from = [&reader](const std::string& id) { return reader.visible_from(id); };
   source.impostors_of = [&reader](const std::string& id) { return reader.impostors_of(id); };
+  source.panorama_of = [&reader](const std::string& id) { return reader.panorama_of(id); };
   source.houses_in = [&reader](const PlanBox& box) {
     return reader.buildings_in(box, std::numeric_limits<std::int32_t>::max(), 0);
   };
@@ -45,6 +46,7 @@ std::optional<City> city_around(const CityReader& reader, const std::string& id)
   city.viewpoints = reader.viewpoints_of(id);
   city.visible = reader.visible_from(id);
   city.impostors = reader.impostors_of(id);
+  if (auto panorama = reader.panorama_of(id)) city.panoramas.push_back(*std::move(panorama));
   for (const auto& d : city.doors)
     if (auto room = reader.interior(d.to_sector_id)) city.interiors.push_back(*std::move(room));
   std::set<std::string> others, houses, facades;

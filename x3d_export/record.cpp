@@ -55,6 +55,19 @@ Json json_of(const GateImpostor& i) {
           {"solid", i.is_solid}};
 }
 
+/// Where it was taken from, what depths it shows, where it stands.
+std::vector<double> values_of(const Panorama& p) {
+  return {metres(p.eye.x), metres(p.eye.y), p.eye_up_m, p.near_m, p.far_m, p.radius_m};
+}
+
+Json json_of(const Panorama& p) {
+  return {{"url", "panoramas/" + clean_text(p.sector_id) + ".png"},
+          {"eye", {metres(p.eye.x), metres(p.eye.y), rounded(p.eye_up_m)}},
+          {"near", rounded(p.near_m)},
+          {"far", rounded(p.far_m)},
+          {"radius", rounded(p.radius_m)}};
+}
+
 Json json_of(const Gate& g, const std::map<std::string, GateImpostor>& impostors) {
   Json json = {{"id", clean_text(g.id)},
                {"to", json_or_null(g.to_sector_id)},
@@ -131,10 +144,14 @@ void add_neighbours(Node& node, const std::vector<SectorNeighbour>& neighbours) 
 
 SectorRecord sector_record(const RecordSource& source, const Sector& sector, int shapes) {
   SectorRecord record{
-      sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+      sector, box_of(sector.ground), shapes, source.gates_of(sector.id), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for (auto& impostor : source.impostors_of(sector.id)) {
     impostor.png.clear();
     record.impostors.emplace(impostor.gate_id, std::move(impostor));
+  }
+  if (auto panorama = source.panorama_of(sector.id)) {
+    panorama->png.clear();
+    record.panorama = std::move(panorama);
   }
   std::set<std::string> behind;
   for (const auto& g : record.gates)
@@ -181,24 +198,25 @@ std::string record_json(const SectorRecord& record) {
   for (const auto& b : record.bodies) bodies.push_back(values_of(b));
   for (const auto& p : record.places)
     places.push_back({{"kind", clean_text(p.kind)}, {"name", clean_text(p.name)}, {"at", values_of(p.at)}});
-  const Json json = {{"id", s.id},
-                     {"kind", name_of(s.kind)},
-                     {"name", clean_text(s.name)},
-                     {"names", names},
-                     {"origin", values_of(s.origin)},
-                     {"box", values_of(record.box)},
-                     {"shapes", record.shapes},
-                     {"ground", ground},
-                     {"gates", gates},
-                     {"doors", doors},
-                     {"neighbours", neighbours},
-                     {"bodies", bodies},
-                     {"visible", record.visible},
-                     {"over_roofs", record.over_roofs},
-                     {"unresolved", record.unresolved},
-                     {"visible_reasons", reasons},
-                     {"viewpoints", viewpoints},
-                     {"places", places}};
+  Json json = {{"id", s.id},
+               {"kind", name_of(s.kind)},
+               {"name", clean_text(s.name)},
+               {"names", names},
+               {"origin", values_of(s.origin)},
+               {"box", values_of(record.box)},
+               {"shapes", record.shapes},
+               {"ground", ground},
+               {"gates", gates},
+               {"doors", doors},
+               {"neighbours", neighbours},
+               {"bodies", bodies},
+               {"visible", record.visible},
+               {"over_roofs", record.over_roofs},
+               {"unresolved", record.unresolved},
+               {"visible_reasons", reasons},
+               {"viewpoints", viewpoints},
+               {"places", places}};
+  if (record.panorama) json["panorama"] = json_of(*record.panorama);
   return json.dump();
 }
 
@@ -235,6 +253,7 @@ Node record_node(const SectorRecord& record) {
   if (!bodies.empty()) node.add("value", numbers("bodies", std::move(bodies)));
   for (const auto& g : record.gates) node.add("value", gate_node(g, record.impostors));
   for (const auto& d : record.doors) node.add("value", door_node(d));
+  if (record.panorama) node.add("value", numbers("panorama", values_of(*record.panorama)));
   if (!record.neighbours.empty()) add_neighbours(node, record.neighbours);
   node.add("value", texts("visible", record.visible));
   if (!record.over_roofs.empty()) node.add("value", texts("over_roofs", record.over_roofs));

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct SectorRecord {
   int shapes = 0;  ///< Shape nodes in the near file and its parts
   std::vector<Gate> gates;
   std::map<std::string, GateImpostor> impostors;  ///< by gate, without their pictures
+  std::optional<Panorama> panorama;               ///< without its picture
   std::vector<SectorNeighbour> neighbours;        ///< every sector a gate leads to and every visible one, by id
   std::vector<std::string> visible;               ///< L_vis by id, with what none lacks: itself and its gate neighbours
   std::map<std::string, VisibleReason> reasons;   ///< of each in `visible`

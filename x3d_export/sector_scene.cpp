@@ -12,6 +12,7 @@
 #include "x3d_export/house_nodes.hpp"
 #include "x3d_export/impostor_nodes.hpp"
 #include "x3d_export/object_nodes.hpp"
+#include "x3d_export/panorama_nodes.hpp"
 #include "x3d_export/text.hpp"
 
 namespace vicus {
@@ -165,9 +166,12 @@ std::vector<SizedNode> content_of(const SectorParts& parts, const std::vector<La
                                   std::vector<Route>& routes) {
   std::vector<SizedNode> nodes;
   // First, so that they are in the main file, where a loader looks for them.
-  if (parts.detail == Detail::near && parts.format != SceneFormat::vrml)
+  if (parts.detail == Detail::near && parts.format != SceneFormat::vrml) {
+    for (Node& panorama : panorama_nodes(parts.index, parts.sector))
+      nodes.push_back(sized(std::move(panorama), parts.format));
     for (Node& impostor : impostor_nodes(parts.index, parts.sector))
       nodes.push_back(sized(std::move(impostor), parts.format));
+  }
   if (parts.detail == Detail::near)
     for (Node& door : door_nodes(parts.index, parts.sector)) nodes.push_back(sized(std::move(door), parts.format));
   for (const Layer& layer : layers)

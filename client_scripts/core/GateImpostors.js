@@ -40,7 +40,7 @@ export class GateImpostors {
     }
 }
 
-/** Makes the nodes of a picture (x3d_export/impostor_nodes) show it; its image is fetched when it is needed first. */
+/** Makes the nodes of a picture (x3d_export/impostor_nodes, panorama_nodes) show it; its image is fetched when it is needed first. */
 export function fadeImpostor(group, opacity) {
     const { texture, material } = group.children[0].appearance;
     if (opacity > 0 && !texture.load) texture.load = true;

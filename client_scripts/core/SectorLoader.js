@@ -1,5 +1,6 @@
 import { Doors } from './Doors.js';
 import { GateImpostors } from './GateImpostors.js';
+import { Panoramas } from './Panoramas.js';
 import { SectorPlanner } from './SectorPlanner.js';
 import { latticePoint } from './planGeometry.js';
 import { idOf, levelOf } from './sectorRecord.js';
@@ -8,7 +9,7 @@ import { idOf, levelOf } from './sectorRecord.js';
  * The loop of paper 004 §5: watches the visitor, does what the planner says, hears what became of it.
  *
  * Needs   `sectors` shows and hides files by their stems: show(stem, origin), hide(stem), phase(stem), record(stem), links(stem);
- *         setImpostor(stem, gateId, opacity) where files have pictures in their gates; setDoor(stem, doorId, look) and
+ *         setImpostor(stem, gateId, opacity) where files have pictures in their gates, setPanorama(stem, opacity) where they have one around; setDoor(stem, doorId, look) and
  *         touchTime(stem, doorId), the time of the last click on a door's leaf, where they have doors.
  * Fails   never: a sector that cannot be had is reported to `complain` and asked for again later.
  */
@@ -19,6 +20,7 @@ export class SectorLoader {
         this.complain = complain;
         this.loading = new Set();
         this.impostors = new GateImpostors((stem, gate, opacity) => this.sectors.setImpostor?.(stem, gate, opacity));
+        this.panoramas = new Panoramas((stem, opacity) => this.sectors.setPanorama?.(stem, opacity));
         this.doors = new Doors((stem, door, look) => this.sectors.setDoor?.(stem, door, look));
         this.touched = new Map();   // door id -> time of the last click that was seen
         this.isFading = false;
@@ -40,7 +42,8 @@ export class SectorLoader {
             this.loading.add(stem);
             this.sectors.show(stem, this.planner.sectors.get(idOf(stem)).origin);
         }
-        this.isFading = this.impostors.step(now, sectors, isLive) || isSwinging;
+        const isTurning = this.panoramas.step(now, this.planner.current, sectors, isLive);
+        this.isFading = this.impostors.step(now, sectors, isLive) || isTurning || isSwinging;
         return plan;
     }
 

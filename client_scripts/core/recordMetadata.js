@@ -1,7 +1,7 @@
 /**
  * A sector's record out of its file's metadata (client_scripts/README.md), in the shape of /sectors/ID.json.
  *
- * A gate's impostor is seven numbers there: eye (east, north, up), near, far, plane, radius.
+ * A gate's impostor is seven numbers there: eye (east, north, up), near, far, plane, radius; a panorama six: without plane.
  *
  * Needs   a tree of { name, value }: a set's values are { name, value } again, a leaf's are texts or numbers.
  * Fails   Error: a ground whose counts do not add up, neighbours that lack an origin or a box.
@@ -14,10 +14,10 @@ export function recordFromMetadata(set) {
     record.gates = setsOf(set, 'gate').map(gate => ({ to: null, ...gate, line: tuples(gate.line ?? [], 2), ...impostorOf(gate) }));
     record.doors = setsOf(set, 'door').map(door => ({ ...door, line: tuples(door.line ?? [], 2) }));
     record.neighbours = neighboursOf(record);
-    return record;
+    return { ...record, ...panoramaOf(record) };
 }
 
-const kLists = ['names', 'visible', 'over_roofs', 'important', 'origin', 'box', 'ground', 'ground_counts', 'line', 'impostor', 'bodies',
+const kLists = ['names', 'visible', 'over_roofs', 'important', 'origin', 'box', 'ground', 'ground_counts', 'line', 'impostor', 'panorama', 'bodies',
     'neighbour_ids', 'neighbour_origins', 'neighbour_boxes'];
 
 function isSet(item) {
@@ -42,6 +42,12 @@ function impostorOf({ id, impostor }) {
     if (!impostor) return {};
     const [east, north, up, near, far, plane, radius] = impostor;
     return { impostor: { url: `impostors/${id}.png`, eye: [east, north, up], near, far, plane, radius } };
+}
+
+function panoramaOf({ id, panorama }) {
+    if (!panorama) return {};
+    const [east, north, up, near, far, radius] = panorama;
+    return { panorama: { url: `panoramas/${id}.png`, eye: [east, north, up], near, far, radius } };
 }
 
 function tuples(flat, size) {

@@ -17,6 +17,7 @@ export function sectorFromRecord(record) {
     sector.name = record.name ?? '';
     sector.ground = record.ground.map(ring => ring.map(latticePoint));
     sector.gates = (record.gates ?? []).map(gate => gateFromRecord(gate, record.id));
+    sector.hasPanorama = Boolean(record.panorama);
     sector.isInterior = sector.kind === 'interior';
     sector.doors = (record.doors ?? []).map(door => doorFromRecord(door, record.id));
     sector.bodies = (record.bodies ?? []).map(bodyFromRecord);

@@ -16,7 +16,7 @@ const kNew = 0.2;
  * a few at a time, and puts at most one into the world per frame, thirty a second where frames are slow. The Script's counterpart is x3d/InlineSectors.
  *
  * Needs   `stage` (XIteAdapter): place(origin), makeScene(text, parts, signal), fill(place, scene), empty(place), recordOf(scene),
- * setImpostor(scene, gateId, opacity), setDoor(scene, doorId, look), touchTime(scene, doorId).
+ * setImpostor(scene, gateId, opacity), setPanorama(scene, opacity), setDoor(scene, doorId, look), touchTime(scene, doorId).
  */
 export class FetchedSectors {
     /** `parcels`: of SectorTexts. `compareNeed(a, b)`, of stems: SectorPlanner's, set by whoever has one. */
@@ -116,6 +116,11 @@ export class FetchedSectors {
     /** Needs   phase(stem) == 'live'. */
     setImpostor(stem, gate, opacity) {
         this.stage.setImpostor(this.files.get(stem).scene, gate, opacity);
+    }
+
+    /** Needs   phase(stem) == 'live'. */
+    setPanorama(stem, opacity) {
+        this.stage.setPanorama(this.files.get(stem).scene, opacity);
     }
 
     /** Needs   phase(stem) == 'live'. */

@@ -1,7 +1,7 @@
 const kWaitMilliseconds = 150;   // after the last letter, before it is asked for
 const kMost = 8;
 const kKinds = {
-    street: 'street', square: 'square', house: 'house', sector: 'place', place: 'place', place_of_worship: 'church',
+    street: 'street', square: 'square', house: 'house', sector: 'place', place: 'place', place_of_worship: 'church', room: 'room inside',
 };
 
 /**

@@ -149,6 +149,11 @@ export class XIteAdapter {
         fadeImpostor(scene.getNamedNode(`IMPOSTOR-${gate}`), opacity);
     }
 
+    /** How much the picture around an open sector shows, 0 ... 1. */
+    setPanorama(scene, opacity) {
+        fadeImpostor(scene.getNamedNode('PANORAMA'), opacity);
+    }
+
     /** Opens a door and lights what is behind it, as core/Doors has it. */
     setDoor(scene, door, look) {
         const { SFRotation, SFColor } = this.X3D;

@@ -61,6 +61,11 @@ export class InlineSectors {
     }
 
     /** Needs   phase(stem) == 'live'. */
+    setPanorama(stem, opacity) {
+        fadeImpostor(this.sceneOf(stem).getNamedNode('PANORAMA'), opacity);
+    }
+
+    /** Needs   phase(stem) == 'live'. */
     setDoor(stem, door, look) {
         const scene = this.sceneOf(stem);
         paintDoor(door, look, { find: name => scene.getNamedNode(name), ...this.values });

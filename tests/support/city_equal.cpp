@@ -45,6 +45,10 @@ auto fields(const Door& d) {
 auto fields(const Visible& v) {
   return std::tie(v.sector_id, v.visible_sector_id, v.reason, v.is_proven, v.building_ids);
 }
+auto fields(const Panorama& p) {
+  return std::tie(p.sector_id, p.eye, p.eye_up_m, p.radius_m, p.bottom_m, p.top_m, p.near_m, p.far_m, p.sides,
+                  p.width_px, p.height_px);
+}
 auto fields(const GateImpostor& i) {
   return std::tie(i.gate_id, i.sector_id, i.eye, i.eye_up_m, i.left, i.right, i.bottom_m, i.top_m, i.near_m, i.far_m,
                   i.plane_m, i.radius_m, i.is_solid, i.width_px, i.height_px);
@@ -75,6 +79,7 @@ bool operator==(const Interior& a, const Interior& b) { return fields(a) == fiel
 bool operator==(const Door& a, const Door& b) { return fields(a) == fields(b); }
 bool operator==(const Visible& a, const Visible& b) { return fields(a) == fields(b); }
 bool operator==(const GateImpostor& a, const GateImpostor& b) { return fields(a) == fields(b); }
+bool operator==(const Panorama& a, const Panorama& b) { return fields(a) == fields(b); }
 bool operator==(const Terrain& a, const Terrain& b) { return fields(a) == fields(b); }
 bool operator==(const Artefact& a, const Artefact& b) { return fields(a) == fields(b); }
 bool operator==(const Issue& a, const Issue& b) { return fields(a) == fields(b); }
@@ -118,6 +123,7 @@ std::string difference(const City& a, const City& b) {
   compare("doors", a.doors, b.doors, found);
   compare("visible", a.visible, b.visible, found);
   compare("impostors", a.impostors, b.impostors, found);
+  compare("panoramas", a.panoramas, b.panoramas, found);
   compare("issues", a.issues, b.issues, found);
   return found;
 }

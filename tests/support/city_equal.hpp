@@ -26,6 +26,7 @@ bool operator==(const Interior& a, const Interior& b);
 bool operator==(const Door& a, const Door& b);
 bool operator==(const Visible& a, const Visible& b);
 bool operator==(const GateImpostor& a, const GateImpostor& b);
+bool operator==(const Panorama& a, const Panorama& b);
 bool operator==(const Terrain& a, const Terrain& b);
 bool operator==(const Artefact& a, const Artefact& b);
 bool operator==(const Issue& a, const Issue& b);

@@ -268,6 +268,7 @@ void add_things(City& city) {
   city.rides = {{"s-main-w", "tram", 40, {{at(-60, 1), 0, 1.5}, {at(-30, 1), 0.25, 6.5}, {at(-5, 1), 0.25, 10.625}}}};
   city.impostors = {{"s-main-w-to-s-cross", "s-main-w", at(-58, 0), 1.75, at(-5, 4), at(-5, -4), -0.25, 7.5, 53.5, 118,
                      53, 0.625, false, 128, 64, ""}};
+  city.panoramas = {{"s-cross", at(0, 0), 1.75, 500, -2.5, 60, 180, 1200, (1u << 3) | (1u << 4), 256, 64, ""}};
   city.prototypes = {{"bench", {{at(0, 0), 0}, {at(1, 0), 0}, {at(0, 1), 500}}, {0, 1, 2}, {{10, 20, 30}}}};
   city.viewpoints = {{"v-cross", "s-cross", "start", kAwkwardName, at(0, 0), 0, 1.7, 90},
                      {"v-main-e", "s-main-e", "gate", kAwkwardName, at(7, 0), 0, 1.7, 90},

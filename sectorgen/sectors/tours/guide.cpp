@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -57,6 +58,7 @@ struct Guide::Impl {
   explicit Impl(City city)
       : frame(city.origin),
         names(named_places(city)),
+        rooms(interior_places(city)),
         gazetteer(names),
         walk(make_clear_walk_mesh(city.sectors, city.gates, kWalkClearance_mm)),
         places(walk),
@@ -128,6 +130,10 @@ struct Guide::Impl {
       place.at = place.look = middles[sector->second];
       if (stand(place, kBesideGround_m)) return place;
     }
+    if (const auto room = rooms.find(text); room != rooms.end()) {
+      place = room->second;
+      if (stand(place, kBesideGround_m)) return place;
+    }
     const auto found = gazetteer.find(text, kSuggestions);
     for (const auto& f : found) {
       if (!f.is_whole) break;
@@ -184,6 +190,7 @@ struct Guide::Impl {
 
   PlanFrame frame;
   std::vector<NamedPlace> names;
+  std::map<std::string, TourPlace> rooms;  // by interior
   Gazetteer gazetteer;
   WalkMesh walk;
   WalkPlaces places;
@@ -198,8 +205,8 @@ struct Guide::Impl {
 };
 
 Guide::Guide(const std::filesystem::path& city)
-    : impl_(std::make_unique<Impl>(
-          read_city(city, {"sector", "gate", "border", "facade", "building", "object", "viewpoint", "terrain"}))) {}
+    : impl_(std::make_unique<Impl>(read_city(city, {"sector", "gate", "border", "facade", "building", "object",
+                                                    "viewpoint", "terrain", "interior", "door"}))) {}
 Guide::~Guide() = default;
 
 TourAnswer Guide::tour(const TourQuery& query) const {

@@ -19,8 +19,8 @@ class Guide {
 
   /// A walk from stop to stop, each leg the shortest (shortest_walk.hpp) that keeps kWalkClearance_mm off walls where
   /// there is room (corner_caps.hpp).
-  /// A stop is the id of a sector, LAT,LON in degrees within kBesideGround_m of ground, or a name: the best that
-  /// search() finds if it has every word.
+  /// A stop is the id of a sector, of an interior (its door to the street), LAT,LON in degrees within kBesideGround_m
+  /// of ground, or a name: the best that search() finds if it has every word.
   TourAnswer tour(const TourQuery& query) const;
 
   /// Best first (gazetteer.hpp), each with where one stands: the ground nearest to it.

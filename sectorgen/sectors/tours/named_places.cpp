@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -10,6 +11,7 @@ namespace vicus {
 namespace {
 
 constexpr double kBeforeDoor_mm = 2500;  // one stands so far from a front to look at it
+constexpr double kBeforeLeaf_mm = 1200;  // so far from a door that opens
 constexpr double kSquareWeight = 0.9, kSightWeight = 0.8, kStreetWeight = 0.7, kNamedWeight = 0.5, kShopWeight = 0.4,
                  kAddressWeight = 0.2;
 
@@ -54,7 +56,8 @@ struct Front {
   std::string sector_id;
 };
 
-Front front_of(PlanPoint a, PlanPoint b, const std::string& sector_id, bool has_door) {
+Front front_of(PlanPoint a, PlanPoint b, const std::string& sector_id, bool has_door,
+               double before_mm = kBeforeDoor_mm) {
   const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, length = std::hypot(dx, dy);
   Front front;
   front.look = {static_cast<std::int32_t>((std::int64_t{a.x} + b.x) / 2),
@@ -63,8 +66,8 @@ Front front_of(PlanPoint a, PlanPoint b, const std::string& sector_id, bool has_
   front.has_door = has_door;
   front.sector_id = sector_id;
   if (length > 0)
-    front.at = {front.look.x - static_cast<std::int32_t>(std::lround(kBeforeDoor_mm * dy / length)),
-                front.look.y + static_cast<std::int32_t>(std::lround(kBeforeDoor_mm * dx / length))};
+    front.at = {front.look.x - static_cast<std::int32_t>(std::lround(before_mm * dy / length)),
+                front.look.y + static_cast<std::int32_t>(std::lround(before_mm * dx / length))};
   return front;
 }
 
@@ -78,6 +81,7 @@ class Places {
     add_streets();
     add_objects();
     add_houses();
+    add_rooms();
     return std::move(places_);
   }
 
@@ -172,6 +176,14 @@ class Places {
     }
   }
 
+  void add_rooms() {
+    std::set<std::string> named;
+    for (const auto& room : city_.interiors)
+      if (!room.sector.name.empty()) named.insert(room.sector.id);
+    for (auto& [id, place] : interior_places(city_))
+      if (named.contains(id)) places_.push_back({place, kNamedWeight, false});
+  }
+
   const City& city_;
   std::unordered_map<std::string, const Sector*> sectors_;
   std::set<std::string> addresses_;
@@ -181,6 +193,47 @@ class Places {
 }  // namespace
 
 std::vector<NamedPlace> named_places(const City& city) { return Places(city).list(); }
+
+std::map<std::string, TourPlace> interior_places(const City& city) {
+  std::unordered_map<std::string, const Sector*> streets;
+  for (const auto& s : city.sectors) streets.emplace(s.id, &s);
+  std::unordered_map<std::string, const Building*> houses;
+  for (const auto& b : city.buildings) houses.emplace(b.id, &b);
+  // Breadth-first from the streets in: the first to come to a room came by the fewest doors.
+  std::unordered_map<std::string, std::vector<const Door*>> inner;  // by the room they lead from
+  std::deque<std::pair<const Door*, const Door*>> ways;             // a door, and the street's side of the first one
+  for (const auto& d : city.doors)
+    if (streets.contains(d.sector_id))
+      ways.emplace_back(&d, &d);
+    else
+      inner[d.sector_id].push_back(&d);
+  std::unordered_map<std::string, const Door*> entrance;  // by interior
+  for (; !ways.empty(); ways.pop_front()) {
+    const auto [door, first] = ways.front();
+    if (streets.contains(door->to_sector_id) || !entrance.emplace(door->to_sector_id, first).second) continue;
+    for (const Door* next : inner[door->to_sector_id]) ways.emplace_back(next, first);
+  }
+  std::map<std::string, TourPlace> places;
+  for (const auto& room : city.interiors) {
+    const auto door = entrance.find(room.sector.id);
+    if (door == entrance.end()) continue;
+    const Front front = front_of(door->second->a, door->second->b, door->second->sector_id, true, kBeforeLeaf_mm);
+    const std::string& street = streets.at(front.sector_id)->name;
+    TourPlace place;
+    place.name = room.sector.name.empty() ? room.sector.id : room.sector.name;
+    place.kind = "room";
+    if (const auto house = houses.find(room.building_id); house != houses.end()) {
+      const Building& b = *house->second;
+      place.detail = b.name.empty() || b.name == place.name ? address_of(b.tags, street) : b.name;
+    }
+    if (place.detail.empty()) place.detail = street;
+    place.sector_id = front.sector_id;
+    place.at = front.at;
+    place.look = front.look;
+    places.emplace(room.sector.id, std::move(place));
+  }
+  return places;
+}
 
 PlanPoint middle_of(const Sector& sector) {
   std::vector<PlanPoint> points = sector.ground.outer;

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <string>
 #include <vector>
 
 #include "city_db/city.hpp"
@@ -8,10 +10,14 @@
 namespace vicus {
 
 /// Streets and squares (one of each name, where it is widest), named houses and addresses, named objects: shops,
-/// sights, stops. A house's place is before its door, or its longest front, and looks at it. Places are where the map
-/// has them: some are not on the ground one walks on. `degrees` and heights are left out. Needs   sectors, buildings,
-/// borders, facades, objects, viewpoints; the other lists may be empty.
+/// sights, stops, interiors. A house's place is before its door, or its longest front, and looks at it. Places are
+/// where the map has them: some are not on the ground one walks on. `degrees` and heights are left out. Needs sectors,
+/// buildings, borders, facades, objects, viewpoints, interiors, doors; the other lists may be empty.
 std::vector<NamedPlace> named_places(const City& city);
+
+/// Each interior by its id, named or not: before the door by which one comes to it from a street through the fewest
+/// doors, looking at that door. `detail`: its house, where it has a name or an address, else the street.
+std::map<std::string, TourPlace> interior_places(const City& city);
 
 /// A point well inside the sector's ground.
 PlanPoint middle_of(const Sector& sector);

@@ -174,7 +174,7 @@ class Teller {
 
   std::string arrival() const {
     const TourPlace& stop = tour_.stops.back();
-    std::string text = "You are at " + stop.name + ".";
+    std::string text = "You are at " + std::string(stop.kind == "room" ? "the door to " : "") + stop.name + ".";
     const double dx = metres(std::int64_t{stop.look.x} - stop.at.x), dy = metres(std::int64_t{stop.look.y} - stop.at.y);
     if (std::hypot(dx, dy) < kSide_m || tour_.length_m < 2) return text;
     const double off =

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "httpd/geo_json.hpp"
+#include "tests/support/sample_interior.hpp"
 #include "tests/unit/httpd/served_city.hpp"
 
 namespace vicus {
@@ -45,7 +46,7 @@ TEST_F(CollectionsOfSampleCity, AreLinkedFromTheLandingPageDown) {
     EXPECT_EQ(json(link(collection, "self"))["id"], collection["id"]);
     EXPECT_EQ(json(link(collection, "items"))["type"], "FeatureCollection");
   }
-  EXPECT_EQ(ids, (std::set<std::string>{"gates", "houses", "sectors"}));
+  EXPECT_EQ(ids, (std::set<std::string>{"gates", "houses", "interiors", "sectors"}));
   EXPECT_EQ(json(link(landing, "conformance"))["conformsTo"].size(), 2u);
   const auto api = json(link(landing, "service-desc"));
   EXPECT_EQ(api["openapi"], "3.0.3");
@@ -111,6 +112,22 @@ TEST_F(CollectionsOfSampleCity, RefuseParametersTheyDoNotKnow) {
     EXPECT_EQ(get(items + query).status, 400) << query;
   EXPECT_EQ(get(items + "limit=99999&datetime=2020-01-01T00:00:00Z&f=json").status, 200);
   EXPECT_EQ(json(items + "offset=1000000")["features"].size(), 0u);
+}
+
+TEST(CollectionsOfACityWithRooms, HaveThemAsInteriors) {
+  const test::ScratchDirectory scratch;
+  const City city = test::sample_city_with_interior();
+  write_city(scratch / "city.gpkg", city, [] { return std::optional<Artefact>(); });
+  Routes routes(scratch / "city.gpkg", std::make_shared<const StaticFiles>(""), std::make_shared<Metrics>());
+  const auto rooms = Json::parse(*routes.respond({"GET", "/collections/interiors/items", {}}).body)["features"];
+  ASSERT_EQ(rooms.size(), city.interiors.size());
+  EXPECT_EQ(rooms[0]["id"], "hall");
+  EXPECT_EQ(rooms[0]["properties"]["name"], "Diele");
+  EXPECT_EQ(rooms[0]["properties"]["building_id"], "b-8");
+  EXPECT_EQ(rooms[0]["properties"]["height_m"], 2.75);
+  EXPECT_EQ(rooms[0]["geometry"]["coordinates"][0].size(), city.interiors[0].sector.ground.outer.size() + 1);
+  EXPECT_EQ(routes.respond({"GET", "/collections/interiors/items/kitchen", {}}).status, 200);
+  EXPECT_EQ(routes.respond({"GET", "/collections/interiors/items/attic", {}}).status, 404);
 }
 
 TEST_F(CollectionsOfSampleCity, KeepAwkwardNames) {

@@ -7,7 +7,9 @@
 #include "city_db/store.hpp"
 #include "sectorgen/sectors/tours/folded_text.hpp"
 #include "sectorgen/sectors/tours/guide.hpp"
+#include "sectorgen/sectors/tours/named_places.hpp"
 #include "tests/support/sample_city.hpp"
+#include "tests/support/sample_interior.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace vicus {
@@ -137,6 +139,38 @@ TEST_F(GuideOfSampleCity, SaysWhatIsWrong) {
   EXPECT_EQ(kind({.tour = "", .from = "xyzzy", .to = "s-cross"}), TourProblem::Kind::unknown_place);
   EXPECT_EQ(kind({.tour = "", .from = "-45.5,170.25", .to = "s-cross"}), TourProblem::Kind::unknown_place);
   EXPECT_EQ(kind({.tour = "none", .from = "", .to = ""}), TourProblem::Kind::unknown_place);
+}
+
+TEST(Rooms, AreEnteredFromTheStreetByTheFewestDoors) {
+  const auto places = interior_places(test::sample_city_with_interior());
+  ASSERT_EQ(places.size(), 2u);
+  for (const char* id : {"hall", "kitchen"}) {  // the kitchen lies behind the hall: the same door
+    const TourPlace& place = places.at(id);
+    EXPECT_EQ(place.kind, "room");
+    EXPECT_EQ(place.sector_id, "s-main-e");
+    EXPECT_EQ(place.look, (PlanPoint{10'500, -5'000}));
+    EXPECT_EQ(place.at, (PlanPoint{10'500, -3'800}));
+  }
+  EXPECT_EQ(places.at("hall").name, "Diele");
+  EXPECT_EQ(places.at("kitchen").name, "kitchen");
+}
+
+TEST(Rooms, AreFoundByNameAndToursLeadToTheirDoor) {
+  const test::ScratchDirectory scratch;
+  write_city(scratch / "city.gpkg", test::sample_city_with_interior(), [] { return std::optional<Artefact>(); });
+  const Guide guide(scratch / "city.gpkg");
+  const auto found = guide.search("diele", 3);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().kind, "room");
+  EXPECT_TRUE(guide.search("kitchen", 3).empty());  // it has no name of its own
+  for (const auto& [to, name] : {std::pair("Diele", "Diele"), std::pair("kitchen", "kitchen")}) {
+    const auto answer = guide.tour({.tour = "", .from = "s-main-w", .to = to});
+    const auto* tour = std::get_if<Tour>(&answer);
+    ASSERT_NE(tour, nullptr) << std::get<TourProblem>(answer).detail;
+    EXPECT_EQ(tour->sectors.back().id, "s-main-e");
+    EXPECT_EQ(tour->points.back().at, (PlanPoint{10'500, -3'800}));
+    EXPECT_EQ(tour->steps.back().text, std::string("You are at the door to ") + name + ". It is on your right.");
+  }
 }
 
 }  // namespace
