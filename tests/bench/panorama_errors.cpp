@@ -47,14 +47,15 @@ std::vector<Variant> variants() {
     v.options.threads = 1;
     return v;
   };
-  Variant more = make("from 4 radii, twice the directions", 4, 128, 32);
+  Variant near = make("from 1 radius, 60 m", 1, 128, 32), more = make("from 2 radii, twice the directions", 2, 128, 32);
+  near.options.nearest_m = 60;
   more.options.directions = 720;
   return {make("none", 4, 16, 2),
-          make("from 4 radii", 4, 128, 32),
+          near,
+          make("from 1 radius", 1, 128, 32),
           make("from 2 radii", 2, 128, 32),
-          make("from 8 radii", 8, 128, 32),
-          make("from 4 radii, half the pixels", 4, 64, 32),
-          make("from 4 radii, twice the pixels", 4, 256, 32),
+          make("from 4 radii", 4, 128, 32),
+          make("from 2 radii, half the pixels", 2, 64, 32),
           more};
 }
 

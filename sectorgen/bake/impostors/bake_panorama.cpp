@@ -23,11 +23,12 @@ constexpr double kEye_m = 1.7;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLowest = -0.5 * kDegree, kFineUpTo = 8 * kDegree, kHighest = 25 * kDegree;
 constexpr double kFineStep = 0.25 * kDegree, kCoarseStep = 0.5 * kDegree;
-constexpr std::size_t kLeastHits = 24;  // fewer are a chimney here and there
+constexpr std::size_t kLeastHits = 6;   // fewer are a chimney here and there
 constexpr double kLeastRadius_m = 500;  // of the prism
 constexpr double kMargin = 1.05;        // beyond all that L_vis names; of the top over what is seen
 constexpr double kInwards = 0.1;        // from a triangle's corner to its middle
 constexpr int kLeastHeight_px = 16;
+constexpr double kLevel_m = 0.01, kUpright = 1e-3, kOverTop = 1e-4;  // of a wall's top edge; of its normal; rad
 
 Vec3 place(PlanPoint p, double up_m) { return {metres(p.x), metres(p.y), up_m}; }
 double distance_m(PlanPoint a, PlanPoint b) {
@@ -164,10 +165,14 @@ class PanoramaBaker {
         // Each spot looks between the directions of the others.
         const double turn = 2 * std::numbers::pi * (k + static_cast<double>(i) / static_cast<double>(spots.size())) /
                             options_.directions;
-        for (double up = kLowest; up < kHighest; up += up < kFineUpTo ? kFineStep : kCoarseStep) {
+        for (double up = kLowest, step = 0; up < kHighest; up += step) {
+          step = up < kFineUpTo ? kFineStep : kCoarseStep;
           const Vec3 way{std::sin(turn), std::cos(turn), std::tan(up)};
           const auto hit = far_.scene.first_hit(from, way, 0);
           if (!hit) break;  // the sky: nothing stands above it but what hangs
+          // Nothing is seen over a wall below its top.
+          if (const double top_m = level_top(hit->triangle); top_m > from[2])
+            step = std::max(step, std::atan((top_m - from[2]) / hit->t) - up + kOverTop);
           if (listed[sector_of(hit->triangle)]) continue;
           const Vec3 to = from + way * hit->t - eye;
           const double away = std::hypot(to[0], to[1]);
@@ -185,15 +190,42 @@ class PanoramaBaker {
     return seen;
   }
 
-  /// With the other triangles of the same faces: a fan's stand one after the other and have their first corner in
-  /// common.
-  std::vector<std::uint32_t> whole_faces(const std::unordered_set<std::uint32_t>& found) const {
+  /// The triangles of its face: a fan's stand one after the other and have their first corner in common.
+  std::pair<std::uint32_t, std::uint32_t> face_of(std::uint32_t triangle) const {
     const auto& all = far_.scene.mesh().triangles;
+    std::uint32_t first = triangle, last = triangle + 1;
+    while (first > 0 && all[first - 1].corners[0] == all[triangle].corners[0]) --first;
+    while (last < all.size() && all[last].corners[0] == all[triangle].corners[0]) ++last;
+    return {first, last};
+  }
+
+  /// Height above the plan frame's 0 of the top of an upright face, where that is a level edge; else far below all.
+  double level_top(std::uint32_t triangle) const {
+    const RenderMesh& mesh = far_.scene.mesh();
+    const auto corner = [&](std::uint32_t i) -> Vec3 {
+      const auto& p = mesh.points[i];
+      return {p[0], p[1], p[2]};
+    };
+    const auto& c = mesh.triangles[triangle].corners;
+    const Vec3 normal = cross(corner(c[1]) - corner(c[0]), corner(c[2]) - corner(c[0]));
+    if (std::abs(normal[2]) > kUpright * length(normal)) return -HUGE_VAL;
+    const auto [first, last] = face_of(triangle);
+    std::vector<Vec3> corners;
+    for (std::uint32_t k = first; k < last; ++k)
+      for (const std::uint32_t i : mesh.triangles[k].corners) corners.push_back(corner(i));
+    double top = -HUGE_VAL;
+    for (const Vec3& p : corners) top = std::max(top, p[2]);
+    std::erase_if(corners, [&](const Vec3& p) { return p[2] < top - kLevel_m; });
+    const auto is_apart = [&](const Vec3& p) {
+      return std::hypot(p[0] - corners[0][0], p[1] - corners[0][1]) > kLevel_m;
+    };
+    return std::any_of(corners.begin(), corners.end(), is_apart) ? top + mesh.origin[2] : -HUGE_VAL;
+  }
+
+  std::vector<std::uint32_t> whole_faces(const std::unordered_set<std::uint32_t>& found) const {
     std::vector<std::uint32_t> out;
     for (const std::uint32_t i : found) {
-      std::uint32_t first = i, last = i + 1;
-      while (first > 0 && all[first - 1].corners[0] == all[i].corners[0]) --first;
-      while (last < all.size() && all[last].corners[0] == all[i].corners[0]) ++last;
+      const auto [first, last] = face_of(i);
       for (std::uint32_t k = first; k < last; ++k) out.push_back(k);
     }
     std::sort(out.begin(), out.end());

@@ -16,7 +16,7 @@ struct FarCity {
 
 struct PanoramaOptions {
   double least_ground_m2 = 300;               ///< smaller squares and grounds have none
-  double nearest_m = 150, nearest_radii = 4;  ///< what is nearer to the eye than either is not shown: it would be
+  double nearest_m = 150, nearest_radii = 2;  ///< what is nearer to the eye than either is not shown: it would be
                                               ///< displaced too much for who stands at the sector's rim
   int side_px = 128;                          ///< width of a side's picture; heights are powers of two up to as much
   int colours = 32;                           ///< of the palette
@@ -35,7 +35,7 @@ bool is_open(const Sector& sector, const PanoramaOptions& options);
 /// Rays from spots all over the sector find the faces that are seen; these alone are drawn, whole, from its middle.
 /// Behind nearer things they are hidden by them, wherever one stands.
 /// Error   as any picture far behind: a thing at distance d is displaced by (eye's way) / d rad.
-/// Cost    about 0.4 CPU s a sector.   Fails   CityError: out of memory.
+/// Cost    about 0.04 CPU s a sector.   Fails   CityError: out of memory.
 std::vector<Panorama> bake_panoramas(const City& city, const FarCity& far, const PanoramaOptions& options,
                                      const std::function<void(std::size_t done)>& on_sector = {});
 
