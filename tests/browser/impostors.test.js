@@ -6,7 +6,7 @@ import { openBrowser, openTab } from './support/chromium.js';
 import { CityMap, startWithRoute } from './support/cityMap.js';
 import { cities, serveCity } from './support/vicusServer.js';
 
-process.env.VICUS_BUILD_OPTIONS = '--impostors yes';
+process.env.VICUS_BUILD_OPTIONS = '--impostors yes --over-roofs no --panoramas yes';
 
 const kShots = process.env.VICUS_SHOTS ?? 'out';
 const [[name, make]] = Object.entries(cities());
@@ -69,9 +69,36 @@ test(`pictures in the gates of ${name}`, { timeout: 1800000 }, async t => {
 <x3d-canvas src="/city.x3d?start=${start}&i=1" splashScreen="false" notifications="false" style="width: 640px; height: 480px"></x3d-canvas>`;
         await page.route('**/bare.html', reply => reply.fulfill({ contentType: 'text/html', body }));
         await page.goto(`${server.origin}/bare.html`);
-        await page.waitForFunction(shownBare, { gate: gate.id, is: true }, { timeout: 180000, polling: 100 });
+        await page.waitForFunction(shownBare, { node: `IMPOSTOR-${gate.id}`, is: true }, { timeout: 180000, polling: 100 });
         release();
-        await page.waitForFunction(shownBare, { gate: gate.id, is: false }, { timeout: 180000, polling: 100 });
+        await page.waitForFunction(shownBare, { node: `IMPOSTOR-${gate.id}`, is: false }, { timeout: 180000, polling: 100 });
+        assert.deepEqual(tab.complaints, []);
+        await page.close();
+    });
+
+    await t.test('an open sector has a picture around it while one is there, in the page and without it', async () => {
+        const { features } = await (await fetch(`${server.origin}/collections/sectors/items?limit=1000`)).json();
+        const open = features.filter(({ properties: { kind } }) => kind === 'square' || kind === 'open').map(({ id }) => id);
+        const records = await Promise.all(open.map(id => map.record(id))), square = records.find(({ panorama }) => panorama);
+        assert.ok(square, 'no open sector of the town sees beyond its L_vis');
+        const tab = await openTab(browser.context), { page } = tab;
+        await page.goto(`${server.origin}/?start=${square.id}&i=1`);
+        await page.waitForFunction(panoramaShown, { id: square.id, is: true }, { timeout: 180000 });
+        assert.ok(tab.requests.some(({ path }) => path === `/${square.panorama.url}`), 'the picture was fetched');
+        const [east, north] = square.panorama.eye;
+        await page.waitForFunction(() => window.vicus.view.isIdle(), null, { timeout: 180000 }).catch(() => {});
+        await page.screenshot({ path: join(kShots, `${name}-panorama.png`) });
+        const next = square.gates.find(({ to }) => to);
+        await page.evaluate(id => window.vicus.travel.toSector(id), next.to);
+        await page.waitForFunction(panoramaShown, { id: square.id, is: false }, { timeout: 180000 });
+        assert.ok(Math.hypot(east - next.line[0][0], north - next.line[0][1]) < 200, 'it was taken in the square');
+        assert.deepEqual(tab.complaints, []);
+        await page.goto('about:blank');
+        const body = `<!DOCTYPE html><script type="module" src="/x_ite/15.0.1/dist/x_ite.min.mjs"></script>
+<x3d-canvas src="/city.x3d?start=${square.id}&i=1" splashScreen="false" notifications="false" style="width: 640px; height: 480px"></x3d-canvas>`;
+        await page.route('**/square.html', reply => reply.fulfill({ contentType: 'text/html', body }));
+        await page.goto(`${server.origin}/square.html`);
+        await page.waitForFunction(shownBare, { node: 'PANORAMA', is: true }, { timeout: 180000, polling: 100 });
         assert.deepEqual(tab.complaints, []);
         await page.close();
     });
@@ -89,12 +116,17 @@ function shown({ start, gate, is }) {
     return file?.phase === 'live' && file.scene.getNamedNode(`IMPOSTOR-${gate}`).visible === is;
 }
 
-function shownBare({ gate, is }) {
+function panoramaShown({ id, is }) {
+    const file = window.vicus?.visit.files.files.get(id);
+    return file?.phase === 'live' && file.scene.getNamedNode('PANORAMA').visible === is;
+}
+
+function shownBare({ node, is }) {
     const scene = document.querySelector('x3d-canvas')?.browser?.currentScene;
     if (!scene || !Array.from(scene.rootNodes).length) return false;
     const inline = scene.getNamedNode('WORLD').children[0].children[0];
     try {
-        return inline.getValue().getInternalScene().getNamedNode(`IMPOSTOR-${gate}`).visible === is;
+        return inline.getValue().getInternalScene().getNamedNode(node).visible === is;
     } catch {
         return false;
     }

@@ -24,6 +24,13 @@ Sector sector(const char* id, SectorKind kind, double west, double south, double
   return s;
 }
 
+Visible seen(const char* from, const char* to) {
+  Visible v;
+  v.sector_id = from;
+  v.visible_sector_id = to;
+  return v;
+}
+
 /// The four walls of a house; its roof does not matter here.
 void add_house(RenderMesh& mesh, double east, double north, double side, double top, Colour colour) {
   const double h = side / 2;
@@ -55,7 +62,8 @@ Quarter quarter() {
   City city;
   city.sectors = {sector("a", SectorKind::square, -20, -20, 20, 20), sector("b", SectorKind::street, -60, -60, 60, -50),
                   sector("c", SectorKind::street, 380, -10, 390, 10)};
-  city.visible = {{"a", "a"}, {"a", "b"}};
+  city.visible.push_back(seen("a", "a"));
+  city.visible.push_back(seen("a", "b"));
   RenderMesh mesh;
   std::vector<std::uint32_t> first{0, 0};
   for (int i = -3; i <= 3; ++i)
@@ -118,7 +126,7 @@ TEST(Panorama, IsForOpenSectorsWithSomethingBeyondTheirListsAlone) {
   options = {};
   options.nearest_m = 450;
   EXPECT_TRUE(bake_panoramas(q.city, q.far, options).empty()) << "all is nearer";
-  q.city.visible.push_back({"a", "c"});
+  q.city.visible.push_back(seen("a", "c"));
   EXPECT_TRUE(bake_panoramas(q.city, q.far, {}).empty()) << "the tower comes itself";
 }
 
