@@ -61,8 +61,8 @@ std::vector<RoofTriangle> roof_triangles(const Building& house) {
 double wall_top_m(const Building& house) { return house.eave_m > house.base_m ? house.eave_m : house.height_m; }
 
 void add_body(FaceList& faces, const Building& house, const std::function<bool(const SideWall&)>& is_drawn_elsewhere,
-              const WallTop& facade_top) {
-  add_roof(faces, house, facade_top);
+              const WallTop& facade_top, const StepWall& step_wall) {
+  add_roof(faces, house, facade_top, step_wall);
   if (house.base_m > 0) {
     add_underside(faces, house);
     add_ring_walls(faces, house, house.footprint.outer);

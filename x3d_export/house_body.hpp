@@ -11,9 +11,10 @@ namespace vicus {
 double wall_top_m(const Building& house);
 
 /// Roof and side walls, but those that `is_drawn_elsewhere` is true of (it may be empty); of a house over a passage
-/// also its outer walls and underside. `facade_top`: see add_roof.
+/// also its outer walls and underside. `facade_top`, `step_wall`: see add_roof.
 void add_body(FaceList& faces, const Building& house,
-              const std::function<bool(const SideWall&)>& is_drawn_elsewhere = {}, const WallTop& facade_top = {});
+              const std::function<bool(const SideWall&)>& is_drawn_elsewhere = {}, const WallTop& facade_top = {},
+              const StepWall& step_wall = {});
 
 inline constexpr int kChimneyTriangles = 10;
 /// At most `most` chimneys in the middle of the roof's largest triangles: one to 70 m2 of houses that are lived in.

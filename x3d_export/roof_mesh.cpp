@@ -23,10 +23,30 @@ void add_gable_above(FaceList& faces, const Gable& gable, double top_m, Colour c
   }
 }
 
+/// What of a step is below a facade on it, and above.
+void add_step_around(FaceList& faces, const RoofStep& step, const std::pair<double, double>& facade, Colour colour) {
+  const auto low = static_cast<std::int32_t>(std::lround(facade.first * kRoofStepsPerMetre)),
+             high = static_cast<std::int32_t>(std::lround(facade.second * kRoofStepsPerMetre));
+  for (const auto& [p, q] : step.below) {
+    if (p.up < low) faces.add_triangle(p, {q.at, low}, {p.at, low}, colour);
+    if (q.up < low) faces.add_triangle(p.up < low ? p : RoofPoint{p.at, low}, q, {q.at, low}, colour);
+  }
+  for (const auto& [p, q] : step.above) {
+    if (p.up > high) faces.add_triangle({q.at, high}, {p.at, high}, p, colour);
+    if (q.up > high) faces.add_triangle({q.at, high}, p.up > high ? p : RoofPoint{p.at, high}, q, colour);
+  }
+}
+
 }  // namespace
 
-void add_roof(FaceList& faces, const Building& house, const WallTop& facade_top) {
+void add_roof(FaceList& faces, const Building& house, const WallTop& facade_top, const StepWall& step_wall) {
   for (const auto& facet : house.roof.facets) {
+    if (step_wall && facet.kind == FacetKind::step)
+      if (const auto step = step_of(house, facet); step)
+        if (const auto wall = step_wall(step->a, step->b); wall) {
+          add_step_around(faces, *step, *wall, house.wall_colour);
+          continue;
+        }
     if (facade_top && facet.kind == FacetKind::gable)
       if (const auto gable = gable_of(house, facet); gable)
         if (const double top_m = facade_top(gable->a, gable->b); top_m > house.eave_m) {

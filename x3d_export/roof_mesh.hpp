@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "x3d_export/mesh.hpp"
 
@@ -10,9 +12,12 @@ namespace vicus {
 /// there.
 using WallTop = std::function<double(PlanPoint a, PlanPoint b)>;
 
-/// The facets, seen from outside: slopes and tops in the roof's colour, gables in the facade's; of a gable into which a
-/// facade reaches only what is above that.
-void add_roof(FaceList& faces, const Building& house, const WallTop& facade_top = {});
+/// Bottom and top of the facade on a step between parts of the roof, a to b as seen from outside; nothing: none.
+using StepWall = std::function<std::optional<std::pair<double, double>>(PlanPoint a, PlanPoint b)>;
+
+/// The facets, seen from outside: slopes and tops in the roof's colour, gables and steps in the facade's; of a gable
+/// into which a facade reaches only what is above that, of a step with a facade what is above and below.
+void add_roof(FaceList& faces, const Building& house, const WallTop& facade_top = {}, const StepWall& step_wall = {});
 
 /// The footprint at base_m, seen from below. Taken from the roof: its slopes and tops lie side by side in plan and
 /// cover the footprint.

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "city_db/boxes.hpp"
+#include "city_db/panorama_sides.hpp"
 #include "city_db/surroundings.hpp"
 #include "x3d_export/frames.hpp"
 #include "x3d_export/record.hpp"
@@ -116,6 +117,14 @@ void set_bounds(Node& node, const RecordSource& source, const Sector& sector) {
     top_m = std::max(top_m, view.ground_m + kTallest_m + slope_m);
   }
   box = grown(box, lattice_mm(kOverhang_m));
+  if (const auto panorama = source.panorama_of(sector.id)) {
+    low_m = std::min(low_m, panorama->bottom_m + kSunk_m);
+    top_m = std::max(top_m, panorama->top_m);
+    for (const PanoramaSide& side : sides_of(*panorama)) {
+      box.add(side.left);
+      box.add(side.right);
+    }
+  }
   const X3dPoint low = x3d_from_plan(box.min, height_mm(low_m - kSunk_m), sector.origin),
                  high = x3d_from_plan(box.max, height_mm(top_m), sector.origin);
   node.set("bboxCenter", std::vector<double>{(metres(low.x) + metres(high.x)) / 2, (metres(low.y) + metres(high.y)) / 2,

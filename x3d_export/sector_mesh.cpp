@@ -99,12 +99,18 @@ void add_walls_without_levels(FaceList& faces, const Border& border, const Build
       add_pieces(faces, pieces, house, levels);
       continue;
     }
-    const auto leveled = levels.find({border.line[runs[i]], border.line[runs[i + 1]]});
-    const double top_m = leveled == levels.end() ? wall_top_m(house) : leveled->second;
-    add_walls(faces,
-              Line(border.line.begin() + static_cast<std::ptrdiff_t>(runs[i]),
-                   border.line.begin() + static_cast<std::ptrdiff_t>(runs[i + 1]) + 1),
-              -house.foot_m, top_m, house.wall_colour);
+    // A facade takes all of a run, or a part of it.
+    for (std::size_t k = runs[i]; k < runs[i + 1];) {
+      auto leveled = levels.end();
+      std::size_t next = runs[i + 1];
+      for (; next > k && (leveled = levels.find({border.line[k], border.line[next]})) == levels.end();) --next;
+      if (leveled == levels.end()) next = k + 1;
+      add_walls(faces,
+                Line(border.line.begin() + static_cast<std::ptrdiff_t>(k),
+                     border.line.begin() + static_cast<std::ptrdiff_t>(next) + 1),
+                -house.foot_m, leveled == levels.end() ? wall_top_m(house) : leveled->second, house.wall_colour);
+      k = next;
+    }
   }
 }
 
@@ -174,18 +180,34 @@ void add_facades(FaceList& faces, const CityIndex& index, const Sector& sector, 
   }
 }
 
+/// Is a -> b, as seen from outside, a piece of the facade's line?
+bool lies_in(PlanPoint a, PlanPoint b, const Facade& f) {
+  return distance_to_segment_mm(a, f.b, f.a) <= kStraight_mm && distance_to_segment_mm(b, f.b, f.a) <= kStraight_mm;
+}
+
 /// Facades that reach up into gables; the house's other ones end at the eave.
 WallTop facade_tops(const CityIndex& index, const Sector& sector, const Building& house) {
   std::vector<const Facade*> tall;
   for (const Facade* f : index.facades_of(sector.id))
-    if (f->building_id == house.id && f->top_m > house.eave_m) tall.push_back(f);
+    if (f->building_id == house.id && f->bottom_m <= 0 && f->top_m > house.eave_m) tall.push_back(f);
   if (tall.empty()) return {};
   return [tall](PlanPoint a, PlanPoint b) {
     for (const Facade* f : tall)
-      if (distance_to_segment_mm(a, f->b, f->a) <= kStraight_mm &&
-          distance_to_segment_mm(b, f->b, f->a) <= kStraight_mm)
-        return f->top_m;
+      if (lies_in(a, b, *f)) return f->top_m;
     return -HUGE_VAL;
+  };
+}
+
+/// Facades on walls between parts of the house's roof.
+StepWall step_walls(const CityIndex& index, const Sector& sector, const Building& house) {
+  std::vector<const Facade*> upper;
+  for (const Facade* f : index.facades_of(sector.id))
+    if (f->building_id == house.id && f->bottom_m > 0) upper.push_back(f);
+  if (upper.empty()) return {};
+  return [upper](PlanPoint a, PlanPoint b) -> std::optional<std::pair<double, double>> {
+    for (const Facade* f : upper)
+      if (lies_in(a, b, *f)) return std::pair(f->bottom_m, f->top_m);
+    return std::nullopt;
   };
 }
 
@@ -200,7 +222,8 @@ void add_houses(FaceList& faces, const CityIndex& index, const Sector& sector, D
           [&](const SideWall& wall) {
             return levels.contains({wall.b, wall.a});
           },
-          detail == Detail::near ? facade_tops(index, sector, *house) : WallTop());
+          detail == Detail::near ? facade_tops(index, sector, *house) : WallTop(),
+          detail == Detail::near ? step_walls(index, sector, *house) : StepWall());
     }
 }
 

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kDoorReach_m = 1.0, kShopReach_m = 12.0;
 constexpr double kLeastOwn_m = 0.4;  // of a wall that may have a window of its house's model
+constexpr double kSameTop_m = 0.3;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 bool is_shop(const StandaloneObject& object) {
@@ -63,6 +64,7 @@ class FacadeLayout {
       add_border(border, city_.buildings[at->second]);
     }
     add_upper_walls();
+    add_step_walls();
     hang_own_openings();
     for (std::size_t i = 0; i < city_.facades.size(); ++i) {
       if (city_.facades[i].bottom_m > 0) continue;
@@ -80,14 +82,30 @@ class FacadeLayout {
                             ? full_walls(house)
                             : std::map<std::pair<PlanPoint, PlanPoint>, double>();
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      double top_m = gables.empty() ? top_of(house) : HUGE_VAL;
-      for (std::size_t k = runs[i]; k < runs[i + 1] && !gables.empty(); ++k) {
-        const auto gable = gables.find({border.line[k + 1], border.line[k]});
-        top_m = std::min(top_m, gable == gables.end() ? top_of(house) : gable->second);
+      const auto pieces = wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]);
+      if (!gables.empty() && pieces.size() == 1 && !pieces.front().door) {
+        add_gabled_run(border, house, runs[i], runs[i + 1], gables);
+        continue;
       }
-      for (const WallStretch& piece :
-           wall_stretches(border.line[runs[i]], border.line[runs[i + 1]], doors_in_[border.sector_id]))
-        if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b, 0, top_m);
+      for (const WallStretch& piece : pieces)
+        if (!piece.door) add_stretch(border.sector_id, house, piece.a, piece.b, 0, top_of(house));
+    }
+  }
+
+  /// A straight run of a border, as far as the walls over it reach up alike, each time.
+  void add_gabled_run(const Border& border, const Building& house, std::size_t begin, std::size_t end,
+                      const std::map<std::pair<PlanPoint, PlanPoint>, double>& gables) {
+    const auto top_over = [&](std::size_t k) {
+      const auto gable = gables.find({border.line[k + 1], border.line[k]});
+      return gable == gables.end() ? top_of(house) : gable->second;
+    };
+    for (std::size_t k = begin; k < end;) {
+      double top_m = top_over(k);
+      std::size_t next = k + 1;
+      for (; next < end && std::abs(top_over(next) - top_over(k)) < kSameTop_m; ++next)
+        top_m = std::min(top_m, top_over(next));
+      add_stretch(border.sector_id, house, border.line[k], border.line[next], 0, top_m);
+      k = next;
     }
   }
 
@@ -134,6 +152,49 @@ class FacadeLayout {
           for (std::size_t i = 0; i + 1 < runs.size(); ++i)
             add_stretch(part.sector_id, part, line[runs[i]], line[runs[i + 1]], metres(bottom_mm), top_of(part));
         }
+    }
+  }
+
+  /// Of houses with windows of their own: walls between low and high parts of their roofs, joined where they go on with
+  /// the same top.
+  void add_step_walls() {
+    for (const Building& house : city_.buildings) {
+      if (!modelled_.contains(house.id) || house.base_m > 0) continue;
+      FullWalls walls;
+      std::map<std::int32_t, std::vector<std::pair<PlanPoint, PlanPoint>>> edges;  // by top
+      for (const RoofFacet& facet : house.roof.facets)
+        if (const auto step = step_of(house, facet); step)
+          if (const auto [low_m, high_m] = full_wall(*step); high_m - low_m > kLeastOwn_m) {
+            walls.emplace(std::pair(step->a, step->b), std::pair(low_m, high_m));
+            edges[lattice_mm(high_m)].emplace_back(step->a, step->b);
+          }
+      for (const auto& [top_mm, list] : edges)
+        for (const auto& line : joined_lines(list)) {
+          const auto runs = straight_runs(line);
+          for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+            add_step_run(house,
+                         {line.begin() + static_cast<std::ptrdiff_t>(runs[i]),
+                          line.begin() + static_cast<std::ptrdiff_t>(runs[i + 1]) + 1},
+                         metres(top_mm), walls);
+        }
+    }
+  }
+
+  using FullWalls = std::map<std::pair<PlanPoint, PlanPoint>, std::pair<double, double>>;
+
+  /// One facade over pieces of a wall in a row, down to the highest foot of them; each by itself where that leaves less
+  /// than half of the highest piece.
+  void add_step_run(const Building& house, const std::vector<PlanPoint>& line, double top_m, const FullWalls& walls) {
+    double highest_m = 0, lowest_m = HUGE_VAL;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const double foot_m = walls.at({line[k], line[k + 1]}).first;
+      highest_m = std::max(highest_m, foot_m);
+      lowest_m = std::min(lowest_m, foot_m);
+    }
+    if (line.size() > 2 && top_m - highest_m < (top_m - lowest_m) / 2) {
+      for (std::size_t k = 0; k + 1 < line.size(); ++k) add_step_run(house, {line[k], line[k + 1]}, top_m, walls);
+    } else if (highest_m > 0) {
+      add_stretch(house.sector_id, house, line.back(), line.front(), highest_m, top_m);
     }
   }
 

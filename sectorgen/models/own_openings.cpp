@@ -10,10 +10,12 @@
 namespace vicus {
 namespace {
 
-constexpr double kReach_m = 0.8;  // before or behind the wall: bays, deep doorways, footprints that are not quite walls
-constexpr double kLeast_m = 0.2;  // of an opening's sides
-constexpr double kEdge_m = 0.02;  // of wall that stays at a facade's ends
-constexpr double kGap_m = 0.01;   // between openings
+// Before or behind the wall. First: bays, deep doorways, footprints that are not quite walls. Then, of what has found
+// no wall: storeys that hang out over the footprint, and were cut off with it, and loggias.
+constexpr double kReach_m = 0.8, kFarReach_m = 2.5;
+constexpr double kLeast_m = 0.2;                            // of an opening's sides
+constexpr double kEdge_m = 0.02;                            // of wall that stays at a facade's ends
+constexpr double kGap_m = 0.01;                             // between openings
 constexpr double kStorey_m = 1.2;                           // middles that differ by less stand in one row
 constexpr double kLeastDepth_m = 0.03, kMostDepth_m = 0.5;  // as modelled; others are as deep as their style's
 
@@ -23,7 +25,7 @@ struct Lying {
   double behind = 0;
 };
 
-std::optional<Lying> lying_on(const Facade& f, const ModelOpening& model) {
+std::optional<Lying> lying_on(const Facade& f, const ModelOpening& model, double reach_m) {
   const double length = length_m(f);
   const double ux = metres(f.a.x - f.b.x) / length, uy = metres(f.a.y - f.b.y) / length;
   double x0 = HUGE_VAL, x1 = -HUGE_VAL, z0 = HUGE_VAL, z1 = -HUGE_VAL, near = HUGE_VAL, far = -HUGE_VAL;
@@ -36,7 +38,7 @@ std::optional<Lying> lying_on(const Facade& f, const ModelOpening& model) {
   }
   const double middle = (x0 + x1) / 2, behind = (near + far) / 2;
   const bool is_along = far - near < 0.7 * (x1 - x0);
-  if (!is_along || std::abs(behind) > kReach_m || middle < 0 || middle > length || z0 > f.top_m - f.bottom_m - kLeast_m)
+  if (!is_along || std::abs(behind) > reach_m || middle < 0 || middle > length || z0 > f.top_m - f.bottom_m - kLeast_m)
     return std::nullopt;
   Opening o;
   o.x0 = std::max(x0, kEdge_m);
@@ -127,8 +129,12 @@ std::size_t hang_openings(const HouseModel& model, const std::vector<Facade*>& f
   for (const ModelOpening& opening : model.openings) {
     std::optional<Lying> best;
     Facade* where = nullptr;
-    for (Facade* f : facades)
-      if (auto lying = lying_on(*f, opening); lying && (!best || lying->behind < best->behind)) best = lying, where = f;
+    for (const double reach_m : {kReach_m, kFarReach_m})
+      for (Facade* f : facades) {
+        if (where && reach_m > kReach_m) break;
+        if (auto lying = lying_on(*f, opening, reach_m); lying && (!best || lying->behind < best->behind))
+          best = lying, where = f;
+      }
     if (!where) continue;
     best->opening.kind = kind_of(best->opening, opening.is_door, where->style);
     where->openings.push_back(best->opening);

@@ -52,7 +52,8 @@ TEST(ExportArtefacts, YieldEachStoredFormOfEverySectorOnceAndFillItsBytes) {
     EXPECT_EQ(sizes.contains("sectors/" + s.id + ".tall.x3d"), s.id == "s-main-w" || s.id == "s-north") << s.id;
   }
   for (const auto& i : city.impostors) EXPECT_TRUE(sizes.contains("impostors/" + i.gate_id + ".png")) << i.gate_id;
-  EXPECT_EQ(sizes.size(), 3 * city.sectors.size() + 2 + city.impostors.size());
+  for (const auto& p : city.panoramas) EXPECT_TRUE(sizes.contains("panoramas/" + p.sector_id + ".png"));
+  EXPECT_EQ(sizes.size(), 3 * city.sectors.size() + 2 + city.impostors.size() + city.panoramas.size());
   for (const auto& [path, codings] : sizes) EXPECT_EQ(codings.size(), 1u) << path;
   EXPECT_FALSE(city.meta["start"].empty());
 }

@@ -55,6 +55,49 @@ TEST(FullWalls, AreTheRectanglesOfGables) {
   EXPECT_FALSE(walls.contains({{0, 6'000}, {0, 0}}));
 }
 
+/// A wall from west to east, seen from the south, over a low roof that rises from 5 to 6 m, up to a high one that rises
+/// from 8 to 9 m.
+Building house_with_step() {
+  Building house;
+  house.eave_m = 4;
+  const auto up = [](double m) { return static_cast<std::int32_t>(std::lround(m * kRoofStepsPerMetre)); };
+  house.roof.points = {{{0, 0}, up(5)}, {{10'000, 0}, up(6)}, {{10'000, 0}, up(9)}, {{0, 0}, up(8)}};
+  house.roof.facets = {{FacetKind::step, {{1, 2, 3, 0}}, {1, 2, 3, 1, 3, 0}}};
+  return house;
+}
+
+TEST(RoofSteps, HaveTheRectangleThatIsWhole) {
+  Building house = house_with_step();
+  const auto step = step_of(house, house.roof.facets[0]);
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->a, (PlanPoint{0, 0}));
+  EXPECT_EQ(step->b, (PlanPoint{10'000, 0}));
+  EXPECT_EQ(full_wall(*step), (std::pair{6.0, 8.0}));
+  house.roof.facets[0].rings[0] = {3, 2, 1, 0};  // the same seen from the north
+  EXPECT_EQ(step_of(house, house.roof.facets[0])->a, (PlanPoint{10'000, 0}));
+  house.roof.facets[0].kind = FacetKind::slope;
+  EXPECT_FALSE(step_of(house, house.roof.facets[0]));
+}
+
+TEST(AddRoof, DrawsOfAStepWhatIsAroundTheFacadeOnIt) {
+  const Building house = house_with_step();
+  FaceList whole({0, 0}), cut({0, 0});
+  add_roof(whole, house);
+  add_roof(cut, house, {}, [](PlanPoint a, PlanPoint b) -> std::optional<std::pair<double, double>> {
+    if (a.x == 0 && b.x == 10'000) return std::pair(6.5, 7.5);
+    return std::nullopt;
+  });
+  const double all = area_m2(whole.take());
+  const auto faces = cut.take();
+  EXPECT_NEAR(all, 30, 1e-6);
+  EXPECT_NEAR(area_m2(faces), 20, 1e-6);
+  for (const Face& f : faces) {  // all of them look south: +z
+    const X3dPoint &a = f.corners[0], &b = f.corners[1], &c = f.corners[2];
+    const double nz = double(b.x - a.x) * double(c.y - a.y) - double(b.y - a.y) * double(c.x - a.x);
+    EXPECT_GT(nz, 0);
+  }
+}
+
 TEST(AddRoof, DrawsOfAGableWhatIsAboveTheFacadeThatReachesIntoIt) {
   const Building house = house_with_pediment();
   FaceList whole({0, 0}), cut({0, 0});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "city_db/facade_layout.hpp"
@@ -89,6 +90,34 @@ TEST(LayOutFacades, LongOnesRepeatTheirPattern) {
   ASSERT_EQ(city.facades.size(), 1u);
   EXPECT_EQ(city.facades[0].repeats, 5);
   EXPECT_EQ(city.facades[0].bays, 8);
+}
+
+TEST(LayOutFacades, WallsBetweenPartsOfAModelsRoofHaveItsWindows) {
+  City city = one_house(4);
+  Building& house = city.buildings[0];
+  house.source_id = "model";
+  // 5 m behind the street's front the house goes on to 10 m; the low roof before that wall rises to 5 and to 6 m.
+  const auto up = [](double m) { return static_cast<std::int32_t>(std::lround(m * kRoofStepsPerMetre)); };
+  house.roof.points = {{at(0, 5), up(5)},  {at(6, 5), up(6)},  {at(6, 5), up(10)},
+                       {at(0, 5), up(10)}, {at(12, 5), up(5)}, {at(12, 5), up(10)}};
+  house.roof.facets = {{FacetKind::step, {{0, 1, 2, 3}}, {}}, {FacetKind::step, {{1, 4, 5, 2}}, {}}};
+  const auto window = [](double x0, double x1, double z0, double z1) {
+    return ModelOpening{false, {{at(x0, 5), z0}, {at(x1, 5), z0}, {at(x1, 5), z1}, {at(x0, 5), z1}}};
+  };
+  HouseModel model;
+  model.openings = {window(1, 2, 7, 9), window(5.5, 6.5, 7, 9), window(3, 4, 11, 12)};  // the last stands above it
+  lay_out_facades(city, {{"model", model}});
+  ASSERT_EQ(city.facades.size(), 1u) << "walls without windows have none";
+  const Facade& f = city.facades[0];
+  EXPECT_EQ(f.sector_id, "street");
+  EXPECT_EQ(f.a, at(12, 5));
+  EXPECT_EQ(f.b, at(0, 5));
+  EXPECT_EQ(f.bottom_m, 6);
+  EXPECT_EQ(f.top_m, 10);
+  ASSERT_EQ(f.openings.size(), 2u);
+  EXPECT_NEAR(f.openings[0].x0, 1, 1e-9);
+  EXPECT_NEAR(f.openings[0].z0, 1, 1e-9) << "above the facade's bottom";
+  EXPECT_NEAR(f.openings[1].x1, 6.5, 1e-9) << "over both pieces of the wall";
 }
 
 TEST(FloorsOf, AreAsTaggedWhereThatIsPossible) {
