@@ -78,7 +78,7 @@ TEST(ReadCity, NamesAGeoPackageThatIsNoCity) {
   run_sql(path, "PRAGMA application_id=0x47504B47; CREATE TABLE roads(fid INTEGER PRIMARY KEY)");
   EXPECT_SAYS(refusal(path), "is a GeoPackage but no Vicus city: expected a table meta");
   run_sql(path, "CREATE TABLE meta(key, value)");
-  EXPECT_SAYS(refusal(path), "expected format_version 7 in its table meta, found none");
+  EXPECT_SAYS(refusal(path), "expected format_version 8 in its table meta, found none");
   run_sql(path, "INSERT INTO meta VALUES('format_version', '1x')");
   EXPECT_SAYS(refusal(path), "found 1x");
 }
@@ -87,10 +87,10 @@ TEST(ReadCity, RefusesOtherVersionsByName) {
   ScratchDirectory scratch;
   const fs::path path = scratch / "city.gpkg";
   write_city(path, test::sample_city(), nullptr);
-  run_sql(path, "UPDATE meta SET value = '8' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 7, found 8");
+  run_sql(path, "UPDATE meta SET value = '9' WHERE key = 'format_version'");
+  EXPECT_SAYS(refusal(path), "newer vicus: expected format version 8, found 9");
   run_sql(path, "UPDATE meta SET value = '1' WHERE key = 'format_version'");
-  EXPECT_SAYS(refusal(path), "older vicus: expected format version 7, found 1; build the city again");
+  EXPECT_SAYS(refusal(path), "older vicus: expected format version 8, found 1; build the city again");
 }
 
 TEST(ReadCity, RefusesTablesThatAreNotOurs) {

@@ -120,7 +120,9 @@ TEST(CityReader, AnswersByKey) {
     EXPECT_EQ(reader.artefact_codings("/city.x3d")[0].coding, "br");
     EXPECT_EQ(reader.artefact_codings("/city.x3d")[0].body, "");
     EXPECT_EQ(reader.meta("licences"), "drawn by hand, CC0 1.0");
-    EXPECT_EQ(reader.meta("format_version"), "7");
+    EXPECT_EQ(reader.meta("format_version"), "8");
+    EXPECT_EQ(reader.panorama_of("s-cross")->radius_m, 500);
+    EXPECT_FALSE(reader.panorama_of("s-main-w"));
     EXPECT_EQ(reader.meta("nothing"), std::nullopt);
   }
 }
