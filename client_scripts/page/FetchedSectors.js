@@ -32,8 +32,8 @@ export class FetchedSectors {
     }
 
     show(stem, origin) {
-        const file = this.files.get(stem) ?? { stem, place: this.stage.place(origin), record: null };
-        Object.assign(file, { phase: 'loading', hasCome: false, abort: new AbortController(), askedAt: this.clock(), bytes: null, scene: null });
+        const file = this.files.get(stem) ?? { stem, place: null, record: null };
+        Object.assign(file, { origin, phase: 'loading', hasCome: false, abort: new AbortController(), askedAt: this.clock(), bytes: null, scene: null });
         this.files.set(stem, file);
         this.fetch(file, file.abort).catch(error => fail(file, file.abort, error));
     }
@@ -80,6 +80,8 @@ export class FetchedSectors {
         const next = this.ready.shift();
         if (!next) return;
         const { file, text, parts, abort } = next;
+        // Only now: a whole ring's places in the frame that asks for it take 100 ms. Not later: X_ITE empties an Inline once it is made.
+        file.place ??= this.stage.place(file.origin);
         ++this.reading;
         this.stage.makeScene(text, parts, abort.signal)
             .then(scene => { this.made.push({ file, scene, abort }); }, error => fail(file, abort, error))
@@ -98,7 +100,7 @@ export class FetchedSectors {
     hide(stem) {
         const file = this.files.get(stem);
         file.abort.abort();
-        this.stage.empty(file.place);
+        if (file.place) this.stage.empty(file.place);
         this.files.delete(stem);
     }
 

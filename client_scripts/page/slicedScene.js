@@ -53,7 +53,7 @@ function sceneOf(document) {
 }
 
 /** As soon as frames, clicks and keys that wait have had their turn. */
-function nextTurn() {
+export function nextTurn() {
     return new Promise(resolve => {
         const { port1, port2 } = new MessageChannel();
         port1.onmessage = () => {

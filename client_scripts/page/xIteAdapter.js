@@ -5,7 +5,7 @@ import { axisAngle } from './axisAngle.js';
 import { calmGl } from './calmGl.js';
 import { buildQuickly } from './quickFaces.js';
 import { groundOfElements, recordOfElements } from './sectorElements.js';
-import { readScene } from './slicedScene.js';
+import { nextTurn, readScene } from './slicedScene.js';
 
 const kXIteUrl = '/x_ite/15.0.1/dist/x_ite.min.mjs';
 /** m: radius (twice the near plane), eye, step. */
@@ -55,6 +55,7 @@ export class XIteAdapter {
         this.canvas = canvas;
         this.browser = canvas.browser;
         this.records = new WeakMap();   // scene -> its record
+        this.leaving = [];   // Transforms that go in this frame
     }
 
     /**
@@ -100,12 +101,15 @@ export class XIteAdapter {
      * Made between frames, slice by slice. Fails   Error: it cannot be read, or `signal` gave it up.
      */
     async makeScene(text, parts = [], signal = null) {
+        await nextTurn();
         const document = parsed(text), names = new Set(parts.map(([name]) => name));
         for (const inline of document.querySelectorAll('Inline')) if (names.has(nameOf(inline))) inline.setAttribute('load', 'false');
         const scene = await readScene(this, document, { signal }), scenes = [scene];
+        await nextTurn();
         this.records.set(scene, recordIn(document));
         const inlines = Array.from(scene.rootNodes).filter(node => node?.getNodeTypeName() === 'Inline');
         for (const [name, part] of parts) {
+            await nextTurn();
             scenes.push(await readScene(this, parsed(part), { signal }));
             inlines.find(({ url }) => url[0] === name).getValue().setInternalScene(scenes.at(-1));
         }
@@ -120,14 +124,19 @@ export class XIteAdapter {
         inline.getValue().setInternalScene(scene);
     }
 
+    /** Taken out before the frame is drawn, all that go in it at once: each change of a list of nodes tells every node of it. */
     empty({ transform, inline }) {
         inline.getValue().requestUnload();
-        const world = this.browser.currentScene.getNamedNode('WORLD');
-        world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => node !== transform));
+        if (this.leaving.push(transform) === 1) queueMicrotask(() => this.takeOut());
         this.letting ??= setTimeout(() => {
             this.letting = null;
             this.letGo();
         }, kLetGoMs);
+    }
+
+    takeOut() {
+        const world = this.browser.currentScene.getNamedNode('WORLD'), leaving = new Set(this.leaving.splice(0));
+        world.children = new this.X3D.MFNode(...Array.from(world.children).filter(node => !leaving.has(node)));
     }
 
     /** X_ITE keeps a place for each Shape that it ever drew at a time, and in it the last Shape, whose whole scene then stays. */

@@ -53,7 +53,7 @@ test('what is given up is aborted at every stage, and never shown', async () => 
             await kTurn();
             files.frame();
         }
-        assert.deepEqual(shown, ['- 1,2'], stage);
+        assert.deepEqual(shown, stage === 'read' ? ['- 1,2'] : [], stage);
         assert.equal(state.making, stage === 'read' ? 1 : 0, stage);
         assert.deepEqual(files.list(), []);
     }
