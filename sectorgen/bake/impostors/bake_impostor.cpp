@@ -6,12 +6,11 @@
 
 #include "city_db/run_parallel.hpp"
 #include "city_db/surface_colour.hpp"
-#include "city_db/surroundings.hpp"
 #include "city_db/terrain.hpp"
 #include "sectorgen/bake/impostors/capture_point.hpp"
+#include "sectorgen/bake/impostors/cut_out_png.hpp"
 #include "sectorgen/bake/impostors/distant_view.hpp"
 #include "sectorgen/bake/render/render.hpp"
-#include "sectorgen/models/palette_png.hpp"
 
 namespace vicus {
 namespace {
@@ -164,19 +163,9 @@ class ImpostorBaker {
   }
 
   void pack(const CutOut& picture) {
-    std::vector<unsigned char> rgba;
-    rgba.reserve(4 * picture.pixels.size());
-    const auto byte = [](float v) { return static_cast<unsigned char>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))); };
-    for (const Rgba& p : picture.pixels) {
-      // The colour of the horizon where nothing is: it bleeds into the edges of coarser images.
-      if (p[3] < 1.0f / 255)
-        rgba.insert(rgba.end(), {kSkyColour.r, kSkyColour.g, kSkyColour.b, 0});
-      else
-        for (const float v : p) rgba.push_back(byte(v));
-    }
     out_.width_px = static_cast<std::uint32_t>(picture.width);
     out_.height_px = static_cast<std::uint32_t>(picture.height);
-    out_.png = palette_png(rgba, picture.width, picture.height, options_.colours);
+    out_.png = cut_out_png(std::span(&picture, 1), options_.colours);
   }
 
   const CityGround& ground_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -11,10 +10,9 @@
 
 #include "city_db/panorama_sides.hpp"
 #include "city_db/run_parallel.hpp"
-#include "city_db/surroundings.hpp"
 #include "city_db/terrain.hpp"
+#include "sectorgen/bake/impostors/cut_out_png.hpp"
 #include "sectorgen/bake/render/render.hpp"
-#include "sectorgen/models/palette_png.hpp"
 
 namespace vicus {
 namespace {
@@ -258,25 +256,9 @@ class PanoramaBaker {
       pictures.push_back(std::move(view.cut_out));
     }
     if (pictures.empty()) return;
-    pack(out, pictures);
-  }
-
-  void pack(Panorama& out, const std::vector<CutOut>& pictures) const {
-    const int height = pictures.front().height, width = pictures.front().width;
-    const auto byte = [](float v) { return static_cast<unsigned char>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))); };
-    std::vector<unsigned char> rgba;
-    for (int row = 0; row < height; ++row)
-      for (const CutOut& picture : pictures)
-        for (int column = 0; column < width; ++column) {
-          const Rgba& p = picture.at(column, row);
-          if (p[3] < 1.0f / 255)
-            rgba.insert(rgba.end(), {kSkyColour.r, kSkyColour.g, kSkyColour.b, 0});
-          else
-            for (const float v : p) rgba.push_back(byte(v));
-        }
-    out.width_px = static_cast<std::uint32_t>(width) * static_cast<std::uint32_t>(pictures.size());
-    out.height_px = static_cast<std::uint32_t>(height);
-    out.png = palette_png(rgba, static_cast<int>(out.width_px), height, options_.colours);
+    out.width_px = static_cast<std::uint32_t>(size.width) * static_cast<std::uint32_t>(pictures.size());
+    out.height_px = static_cast<std::uint32_t>(size.height);
+    out.png = cut_out_png(pictures, options_.colours);
   }
 
   const City& city_;
