@@ -84,7 +84,9 @@ test(`pictures in the gates of ${name}`, { timeout: 1800000 }, async t => {
         const tab = await openTab(browser.context), { page } = tab;
         await page.goto(`${server.origin}/?start=${square.id}&i=1`);
         await page.waitForFunction(panoramaShown, { id: square.id, is: true }, { timeout: 180000 });
-        assert.ok(tab.requests.some(({ path }) => path === `/${square.panorama.url}`), 'the picture was fetched');
+        const isFetched = () => tab.requests.some(({ path }) => path === `/${square.panorama.url}`);
+        for (let i = 0; i < 100 && !isFetched(); ++i) await page.waitForTimeout(100);
+        assert.ok(isFetched(), 'the picture was fetched');
         const [east, north] = square.panorama.eye;
         await page.waitForFunction(() => window.vicus.view.isIdle(), null, { timeout: 180000 }).catch(() => {});
         await page.screenshot({ path: join(kShots, `${name}-panorama.png`) });
