@@ -8,6 +8,9 @@
 
 namespace vicus {
 
+/// A panorama's edges stay on the lattice, wherever in the plan its eye is.
+inline constexpr double kMostPanoramaRadius_m = 1e6;
+
 /// One upright side of a panorama, seen from its eye: left and right edge in plan, and where it stands in the image.
 struct PanoramaSide {
   int number = 0;

@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "city_db/panorama_sides.hpp"
 #include "city_db/store_fields.hpp"
 #include "city_db/store_records.hpp"
 
@@ -89,7 +92,8 @@ void read_record(const Statement& row, Panorama& p) {
   p.sides = static_cast<std::uint32_t>(sides);
   p.width_px = pixels_at(row, 9);
   p.height_px = pixels_at(row, 10);
-  if (!(p.radius_m > 0) || !(p.top_m > p.bottom_m)) row.database().throw_damaged("a panorama of no size");
+  const bool has_size = p.radius_m > 0 && p.radius_m <= kMostPanoramaRadius_m && p.top_m > p.bottom_m;
+  if (!has_size || !std::isfinite(p.top_m - p.bottom_m)) row.database().throw_damaged("a panorama of no size");
 }
 
 PlanBox box_of_record(const Panorama& p) {

@@ -137,6 +137,7 @@ class PanoramaBaker {
       if (listed[i])
         for (const PlanPoint p : city_.sectors[i].ground.outer)
           out.radius_m = std::max(out.radius_m, kMargin * distance_m(p, out.eye) + radius);
+    out.radius_m = std::min(out.radius_m, kMostPanoramaRadius_m);
     const double inner = out.radius_m * std::cos(std::numbers::pi / kPanoramaSides);
     out.bottom_m = out.eye_up_m + inner * std::tan(kLowest);
     out.top_m = out.eye_up_m + out.radius_m * (kMargin * seen.slope + std::tan(kFineStep));

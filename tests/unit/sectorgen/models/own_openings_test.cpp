@@ -54,6 +54,18 @@ TEST(HangOpenings, GoToTheNearestWallThatTheyLieAlong) {
   EXPECT_EQ(hang_openings(model, {&front}), 0u) << "too far behind, beside it, over its top";
 }
 
+TEST(HangOpenings, OfStoreysThatHangOutGoToTheWallBehindUnlessOneIsNearer) {
+  Facade front = south_front(), back = south_front();
+  back.a = at(10, 3), back.b = at(0, 3);
+  HouseModel model;
+  model.openings = {upright(false, 6, 7, 4, 5.5, -1.8), upright(false, 2, 3, 4, 5.5, 2.7)};
+  EXPECT_EQ(hang_openings(model, {&front, &back}), 2u);
+  ASSERT_EQ(front.openings.size(), 1u) << "1.8 m before it";
+  EXPECT_NEAR(front.openings[0].x0, 6, 1e-9);
+  EXPECT_EQ(front.openings[0].depth, figures_of(front.style).depth) << "not as deep as it hangs out";
+  EXPECT_EQ(back.openings.size(), 1u) << "within 0.8 m of it, though within 2.7 m of the front";
+}
+
 TEST(HangOpenings, LieApartAndWithinTheFacade) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     std::mt19937 random(seed);
