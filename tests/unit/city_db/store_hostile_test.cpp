@@ -52,7 +52,7 @@ void run_sql(const fs::path& path, const std::string& sql) {
 /// The R-tree triggers call functions only a GeoPackage editor has.
 std::string without_triggers(const std::string& sql) {
   std::string drops = "PRAGMA synchronous=OFF;";
-  for (const char* layer : {"sector", "gate", "building", "object", "issue"})
+  for (const char* layer : {"sector", "gate", "building", "object", "impostor", "panorama", "issue"})
     for (const char* event : {"update1", "update2", "update3", "update4"})
       drops += std::string("DROP TRIGGER rtree_") + layer + "_geom_" + event + ";";
   return drops + sql;
