@@ -8,6 +8,7 @@
 #include "city_db/boxes.hpp"
 #include "x3d_export/facade_levels.hpp"
 #include "x3d_export/house_body.hpp"
+#include "x3d_export/shared_points.hpp"
 
 namespace vicus {
 namespace {
@@ -37,11 +38,11 @@ std::map<std::string, Share> shares_of(const CityIndex& index, const Sector& sec
   return shares;
 }
 
-Node level_node(const LevelFaces& faces, const std::string& atlas) {
+Node level_node(const LevelFaces& faces, const std::string& atlas, SharedPoints* points = nullptr) {
   Node group("Group");
-  if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid));
+  if (!faces.solid.empty()) group.add(shape_of("", Shading::solid, faces.solid, points));
   const auto add = [&](const std::string& image, const std::vector<TexturedFace>& list) {
-    group.add(textured_shape(image, texture_url(image), list));
+    group.add(textured_shape(image, texture_url(image), list, points));
   };
   const auto behind_atlas = faces.own_images.upper_bound(atlas);
   for (auto at = faces.own_images.begin(); at != behind_atlas; ++at) add(at->first, at->second);
@@ -55,12 +56,14 @@ X3dPoint centre_of(const PlanBox& box, double ground_m, PlanPoint origin) {
   return x3d_from_plan(middle, height_mm(ground_m + kCentre_m), origin);
 }
 
-Node lod_node(const LevelPiece& piece, const std::string& atlas, int finest) {
+Node lod_node(const LevelPiece& piece, std::size_t number, const std::string& atlas, int finest) {
   const X3dPoint& centre = piece.centre;
   Node lod("LOD");
   lod.set("center", std::vector<double>{metres(centre.x), metres(centre.y), metres(centre.z)});
   lod.set("range", std::vector<double>(std::begin(kLevelRanges_m) + (4 - finest), std::end(kLevelRanges_m)));
-  for (int level = finest - 1; level >= 0; --level) lod.add(level_node(piece.levels[level], atlas));
+  SharedPoints points("CORNERS-" + std::to_string(number));
+  for (int level = finest - 1; level >= 0; --level) lod.add(level_node(piece.levels[level], atlas, &points));
+  points.put_into(lod);
   return lod;
 }
 
@@ -160,7 +163,7 @@ std::vector<Node> house_nodes(const CityIndex& index, const Sector& sector, Scen
   if (format == SceneFormat::vrml) only_level = 2;
   for (const LevelPiece& piece : pieces)
     nodes.push_back(only_level != 0 ? level_node(piece.levels[std::min(only_level, finest) - 1], atlas)
-                                    : lod_node(piece, atlas, finest));
+                                    : lod_node(piece, nodes.size(), atlas, finest));
   return nodes;
 }
 

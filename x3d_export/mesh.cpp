@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "x3d_export/numbering.hpp"
+#include "x3d_export/shared_points.hpp"
 
 namespace vicus {
 namespace {
@@ -124,9 +124,46 @@ void FaceList::add_sloped_wall(PlanPoint a, PlanPoint b, std::int32_t a_mm, std:
 
 namespace {
 
+using Place = std::array<double, 2>;
+
+std::vector<double> numbers_of(const std::vector<Place>& places) {
+  std::vector<double> out;
+  out.reserve(2 * places.size());
+  for (const Place& place : places) out.insert(out.end(), place.begin(), place.end());
+  return out;
+}
+
+Node with_places(Node geometry, const std::vector<Place>& places) {
+  Node node("TextureCoordinate");
+  node.set("point", numbers_of(places));
+  return geometry.add("texCoord", std::move(node));
+}
+
+Node coordinate_of(const std::vector<X3dPoint>& points) {
+  Node node("Coordinate");
+  node.set("point", numbers_of(points));
+  return node;
+}
+
+/// An IndexedFaceSet of corners that others have, too.
+Node under_image(std::span<const TexturedFace> faces, SharedPoints& points) {
+  Numbering<Place> number_of_place;
+  std::vector<std::int32_t> point_index, place_index;
+  for (const TexturedFace& face : faces) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      point_index.push_back(points(face.corners[k]));
+      place_index.push_back(number_of_place(face.uv[k]));
+    }
+    for (auto* index : {&point_index, &place_index}) index->push_back(-1);
+  }
+  Node geometry("IndexedFaceSet");
+  geometry.set("coordIndex", std::move(point_index)).set("texCoordIndex", std::move(place_index));
+  geometry.add("coord", points.coordinate());
+  return with_places(std::move(geometry), number_of_place.items());
+}
+
 /// An IndexedFaceSet. One list of indices serves points and places in the image where that is less text.
 Node under_image(std::span<const TexturedFace> faces) {
-  using Place = std::array<double, 2>;
   Numbering<X3dPoint> number_of_point;
   Numbering<Place> number_of_place;
   Numbering<std::pair<X3dPoint, Place>> number_of_both;
@@ -139,35 +176,30 @@ Node under_image(std::span<const TexturedFace> faces) {
     }
     for (auto* index : {&point_index, &place_index, &both_index}) index->push_back(-1);
   }
-  std::vector<double> points, places;
-  const auto add_point = [&](const X3dPoint& p) {
-    points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
-  };
-  const auto add_place = [&](const Place& place) { places.insert(places.end(), place.begin(), place.end()); };
-  Node geometry("IndexedFaceSet"), coordinate("Coordinate"), texture_coordinate("TextureCoordinate");
+  Node geometry("IndexedFaceSet");
   constexpr std::size_t kPoint = 20, kPlace = 12, kIndex = 4;  // bytes of text
   const std::size_t both = number_of_both.items().size(), alone = number_of_point.items().size();
-  if (kPoint * (both - alone) + kPlace * both <=
-      kPlace * number_of_place.items().size() + kIndex * place_index.size()) {
-    for (const auto& [point, place] : number_of_both.items()) {
-      add_point(point);
-      add_place(place);
-    }
-    geometry.set("coordIndex", std::move(both_index));
-  } else {
-    for (const auto& point : number_of_point.items()) add_point(point);
-    for (const auto& place : number_of_place.items()) add_place(place);
+  if (kPoint * (both - alone) + kPlace * both > kPlace * number_of_place.items().size() + kIndex * place_index.size()) {
     geometry.set("coordIndex", std::move(point_index)).set("texCoordIndex", std::move(place_index));
+    geometry.add("coord", coordinate_of(number_of_point.items()));
+    return with_places(std::move(geometry), number_of_place.items());
   }
-  geometry.add("coord", coordinate.set("point", std::move(points)));
-  return geometry.add("texCoord", texture_coordinate.set("point", std::move(places)));
+  std::vector<X3dPoint> points;
+  std::vector<Place> places;
+  for (const auto& [point, place] : number_of_both.items()) {
+    points.push_back(point);
+    places.push_back(place);
+  }
+  geometry.set("coordIndex", std::move(both_index)).add("coord", coordinate_of(points));
+  return with_places(std::move(geometry), places);
 }
 
 }  // namespace
 
-Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces) {
+Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces,
+                    SharedPoints* points) {
   assert(!faces.empty());
-  Node geometry = under_image(faces);
+  Node geometry = points ? under_image(faces, *points) : under_image(faces);
   Node appearance("Appearance", "IMAGE-" + image), material("Material"), texture("ImageTexture");
   material.set("ambientIntensity", 0.0).set("diffuseColor", std::vector<double>{1, 1, 1});
   appearance.add("material", material);
@@ -177,19 +209,19 @@ Node textured_shape(const std::string& image, const std::string& url, std::span<
   return shape.add("geometry", std::move(geometry));
 }
 
-Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces) {
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces, SharedPoints* points) {
   assert(!faces.empty());
-  Numbering<X3dPoint> number_of_point;
+  Numbering<X3dPoint> own_number_of;
   Numbering<Colour> number_of_colour;
   std::vector<std::int32_t> coord_index, color_index;
   for (const Face& face : faces) {
     for (int k = 0; k < face.count; ++k)
-      coord_index.push_back(number_of_point(face.corners[static_cast<std::size_t>(k)]));
+      coord_index.push_back(points ? (*points)(face.corners[static_cast<std::size_t>(k)])
+                                   : own_number_of(face.corners[static_cast<std::size_t>(k)]));
     coord_index.push_back(-1);
     color_index.push_back(number_of_colour(face.colour));
   }
-  std::vector<double> points, colours;
-  for (const auto& p : number_of_point.items()) points.insert(points.end(), {metres(p.x), metres(p.y), metres(p.z)});
+  std::vector<double> colours;
   for (const auto& c : number_of_colour.items())
     for (const double v : values_of(c)) colours.push_back(v);
 
@@ -198,8 +230,7 @@ Node shape_of(const std::string& def, Shading shading, std::span<const Face> fac
   if (shading == Shading::two_sided) geometry.set("solid", false);
   geometry.set("coordIndex", std::move(coord_index));
   if (is_coloured_by_face) geometry.set("colorPerVertex", false).set("colorIndex", std::move(color_index));
-  Node coordinate("Coordinate");
-  geometry.add("coord", coordinate.set("point", std::move(points)));
+  geometry.add("coord", points ? points->coordinate() : coordinate_of(own_number_of.items()));
   Node color("Color");
   if (is_coloured_by_face) geometry.add("color", color.set("color", std::move(colours)));
   Node shape("Shape", def);

@@ -71,15 +71,19 @@ class FaceList {
   std::vector<Face> faces_;
 };
 
+class SharedPoints;
+
 /// From a sector's file.
 std::string texture_url(const std::string& id);
 
 /// A Shape with an IndexedFaceSet, one colour per face, normals by face (creaseAngle 0), equal corners written once.
+/// `points`: where the corners go instead, to be written once for several Shapes.
 /// Needs   !faces.empty() (assert).
-Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces);
+Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces, SharedPoints* points = nullptr);
 
 /// A Shape under one image. Its Appearance's DEF is "IMAGE-" + `image`: equal ones in a file can be USEd.
 /// Needs   !faces.empty() (assert).
-Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces);
+Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces,
+                    SharedPoints* points = nullptr);
 
 }  // namespace vicus

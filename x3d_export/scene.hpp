@@ -12,9 +12,14 @@
 /// container fields and components from there.
 namespace vicus {
 
+/// Numbers of a list as one format has them (number_text.hpp).
+struct NumberText {
+  std::string text;
+};
+
 /// Number fields of every kind are a list of doubles; field_table tells how many belong together.
-using FieldValue =
-    std::variant<bool, std::string, std::vector<std::string>, std::vector<double>, std::vector<std::int32_t>>;
+using FieldValue = std::variant<bool, std::string, std::vector<std::string>, std::vector<double>,
+                                std::vector<std::int32_t>, NumberText>;
 
 enum class FieldType {
   sf_bool,

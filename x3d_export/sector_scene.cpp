@@ -77,7 +77,7 @@ struct SizedNode {
 };
 
 SizedNode sized(Node node, SceneFormat format) {
-  const std::size_t size = written_size(node, format);
+  const std::size_t size = settled_size(node, format);
   return {std::move(node), size};
 }
 

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace vicus {
 namespace {
@@ -47,21 +49,40 @@ void append_break(std::string& out, std::size_t& line_start, char between) {
   }
 }
 
+/// Before and after the decimal point. Each case divides by a constant, which is a multiplication.
+std::pair<std::uint64_t, std::uint32_t> parted(std::uint64_t scaled, int decimals) {
+  const auto by = [&](auto power) { return std::pair{scaled / power, static_cast<std::uint32_t>(scaled % power)}; };
+  switch (decimals) {
+    case 0:
+      return {scaled, 0};
+    case 1:
+      return by(std::integral_constant<std::uint64_t, 10>());
+    case 2:
+      return by(std::integral_constant<std::uint64_t, 100>());
+    case 3:
+      return by(std::integral_constant<std::uint64_t, 1000>());
+    case 4:
+      return by(std::integral_constant<std::uint64_t, 10'000>());
+    case 5:
+      return by(std::integral_constant<std::uint64_t, 100'000>());
+    default:
+      return by(std::integral_constant<std::uint64_t, 1'000'000>());
+  }
+}
+
 }  // namespace
 
 void append_number(std::string& out, double value, int decimals) {
   constexpr std::int64_t kPower[] = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
   assert(decimals >= 0 && decimals <= 6 && std::abs(value) < 1e12);
-  const std::int64_t power = kPower[decimals];
-  std::int64_t scaled = std::llround(value * static_cast<double>(power));
-  if (scaled < 0) {
-    out += '-';
-    scaled = -scaled;
-  }
+  const double shifted = value * static_cast<double>(kPower[decimals]);
+  const auto scaled = static_cast<std::int64_t>(std::abs(shifted) + 0.5);
+  if (shifted < 0 && scaled != 0) out += '-';
+  const auto [whole, part] = parted(static_cast<std::uint64_t>(scaled), decimals);
   char buffer[32];
-  char* end = std::to_chars(buffer, buffer + 24, scaled / power).ptr;
-  std::int64_t rest = scaled % power;
-  if (rest != 0) {
+  char* end = std::to_chars(buffer, buffer + 24, whole).ptr;
+  if (part != 0) {
+    std::uint32_t rest = part;
     for (char* digit = end + decimals; digit > end; --digit, rest /= 10) *digit = static_cast<char>('0' + rest % 10);
     *end = '.';
     end += decimals + 1;

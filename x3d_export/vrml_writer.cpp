@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "x3d_export/field_table.hpp"
+#include "x3d_export/number_text.hpp"
 #include "x3d_export/text.hpp"
 #include "x3d_export/writers.hpp"
 
@@ -68,10 +69,8 @@ class VrmlWriter {
     if (!is_single(type)) out_ += "[ ";
     if (const auto* list = std::get_if<std::vector<std::string>>(&value))
       for (const auto& s : *list) out_ += vrml_quoted(s) + " ";
-    else if (const auto* indices = std::get_if<std::vector<std::int32_t>>(&value))
-      append_indices(out_, *indices);
     else
-      append_numbers(out_, std::get<std::vector<double>>(value), decimals_of(type), width_of(type));
+      append_number_list(out_, type, value);
     if (!is_single(type)) out_ += " ]";
   }
 

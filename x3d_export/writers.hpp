@@ -27,6 +27,8 @@ std::size_t size_in_x3dj(const Node& node);
 std::string write_scene(const Scene& scene, SceneFormat format);
 /// Bytes that a node takes among a scene's nodes.
 std::size_t written_size(const Node& node, SceneFormat format);
+/// The same of a node that is written in this format alone from now on: the text of its numbers is kept in it.
+std::size_t settled_size(Node& node, SceneFormat format);
 /// ".x3d", ".wrl", ".x3dj".
 const char* suffix_of(SceneFormat format);
 const char* media_type_of(SceneFormat format);

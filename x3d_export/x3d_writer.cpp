@@ -1,6 +1,7 @@
 #include <cassert>
 
 #include "x3d_export/field_table.hpp"
+#include "x3d_export/number_text.hpp"
 #include "x3d_export/text.hpp"
 #include "x3d_export/writers.hpp"
 
@@ -21,10 +22,8 @@ void append_value(std::string& out, FieldType type, const FieldValue& value) {
     out += xml_escaped(*s);
   else if (const auto* list = std::get_if<std::vector<std::string>>(&value))
     out += xml_escaped(quoted_list(*list));
-  else if (const auto* indices = std::get_if<std::vector<std::int32_t>>(&value))
-    append_indices(out, *indices);
   else
-    append_numbers(out, std::get<std::vector<double>>(value), decimals_of(type), width_of(type));
+    append_number_list(out, type, value);
 }
 
 class X3dWriter {
@@ -133,6 +132,11 @@ std::size_t written_size(const Node& node, SceneFormat format) {
   }
   assert(false);
   return 0;
+}
+
+std::size_t settled_size(Node& node, SceneFormat format) {
+  spell_numbers(node, format == SceneFormat::x3dj ? ',' : ' ');
+  return written_size(node, format);
 }
 
 const char* suffix_of(SceneFormat format) {

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "x3d_export/field_table.hpp"
+#include "x3d_export/number_text.hpp"
 #include "x3d_export/text.hpp"
 #include "x3d_export/writers.hpp"
 
@@ -17,10 +18,8 @@ std::string json_value(FieldType type, const FieldValue& value) {
   std::string out = is_scalar(type) ? "" : "[";
   if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
     for (const auto& s : *list) out += (out.size() > 1 ? "," : "") + json_string(s);
-  } else if (const auto* indices = std::get_if<std::vector<std::int32_t>>(&value)) {
-    append_indices(out, *indices, ',');
   } else {
-    append_numbers(out, std::get<std::vector<double>>(value), decimals_of(type), width_of(type), ',');
+    append_number_list(out, type, value, ',');
   }
   return is_scalar(type) ? out : out + "]";
 }

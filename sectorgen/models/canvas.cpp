@@ -87,10 +87,12 @@ void Canvas::paste(const Canvas& tile, int column, int row) {
 }
 
 std::vector<unsigned char> Canvas::rgba() const {
-  std::vector<unsigned char> bytes;
-  bytes.reserve(4 * pixels_.size());
+  std::vector<unsigned char> bytes(4 * pixels_.size());
   const auto byte = [](double v) { return static_cast<unsigned char>(std::clamp(v * 255 + 0.5, 0.0, 255.0)); };
-  for (const Paint& p : pixels_) bytes.insert(bytes.end(), {byte(p.r), byte(p.g), byte(p.b), 255});
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Paint& p = pixels_[i];
+    bytes[4 * i] = byte(p.r), bytes[4 * i + 1] = byte(p.g), bytes[4 * i + 2] = byte(p.b), bytes[4 * i + 3] = 255;
+  }
   return bytes;
 }
 
@@ -103,14 +105,11 @@ double steady_random(int x, int y, unsigned seed) {
   return (h & 0xffffffu) / 16777216.0;
 }
 
-double value_noise(double x, double y, unsigned seed) {
-  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
-  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
-  const double tx = smooth(x - column), ty = smooth(y - row);
-  const auto along = [&](int r) {
-    return steady_random(column, r, seed) * (1 - tx) + steady_random(column + 1, r, seed) * tx;
-  };
-  return along(row) * (1 - ty) + along(row + 1) * ty;
+NoiseLine::NoiseLine(double y, double most_x, unsigned seed) {
+  const int row = static_cast<int>(std::floor(y)), cells = static_cast<int>(most_x) + 2;
+  const double t = y - row, share = t * t * (3 - 2 * t);
+  for (int column = 0; column < cells; ++column)
+    at_.push_back(std::lerp(steady_random(column, row, seed), steady_random(column, row + 1, seed), share));
 }
 
 }  // namespace vicus

@@ -32,14 +32,17 @@ class Canvas {
   void rectangle(double x0, double y0, double x1, double y1, Paint paint, double opacity = 1);
   /// From `bottom` to `top` in `steps` bands.
   void gradient(double x0, double y0, double x1, double y1, Paint bottom, Paint top, int steps);
-  /// Each pixel of the whole picture times a factor of its middle's place.
-  template <class Factor>
-  void shade(Factor factor) {
-    for (int row = 0; row < height_; ++row)
+  /// Each pixel of the whole picture times a factor of its middle's place: `factor_at(y)` gives the factor by x of a
+  /// row.
+  template <class FactorAt>
+  void shade(FactorAt factor_at) {
+    for (int row = 0; row < height_; ++row) {
+      const auto factor = factor_at((height_ - row - 0.5) * height_m_ / height_);
       for (int column = 0; column < width_; ++column) {
         Paint& p = pixel(column, row);
-        p = p * factor((column + 0.5) * width_m_ / width_, (height_ - row - 0.5) * height_m_ / height_);
+        p = p * factor((column + 0.5) * width_m_ / width_);
       }
+    }
   }
   /// Lays the tile's pixels but for `inset` of them along each side over [x0, x1] x [y0, y1]; each pixel gets the mean
   /// of what falls on it.
@@ -59,8 +62,20 @@ class Canvas {
   std::vector<Paint> pixels_;
 };
 
-/// Smooth noise of value 0 ... 1, steady for a seed.
-double value_noise(double x, double y, unsigned seed);
+/// Smooth noise of value 0 ... 1, steady for a seed, along one line.
+class NoiseLine {
+ public:
+  /// Needs   it is asked for 0 <= x <= most_x.
+  NoiseLine(double y, double most_x, unsigned seed);
+  double operator()(double x) const {
+    const auto cell = static_cast<std::size_t>(x);
+    const double t = x - static_cast<double>(cell);
+    return at_[cell] + (at_[cell + 1] - at_[cell]) * (t * t * (3 - 2 * t));
+  }
+
+ private:
+  std::vector<double> at_;  // at whole x
+};
 /// 0 ... 1, steady.
 double steady_random(int x, int y, unsigned seed);
 

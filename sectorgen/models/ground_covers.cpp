@@ -118,7 +118,7 @@ class Patches {
     }
     if (!greens.empty()) add(SurfaceKind::grass, unite(greens));
     if (!earths.empty()) add(SurfaceKind::earth, unite(earths));
-    if (!lots.empty()) add(SurfaceKind::carriageway, subtract(unite(lots), margins(box)));
+    if (!lots.empty()) add(SurfaceKind::carriageway, keep_off(unite(lots), margins(box), Cap::flat));
     squares_and_shared(squares, box, add);
     const bool is_green = s.kind == SectorKind::open || !greens.empty();
     if (const auto paths = strokes(paths_, box); is_green && !paths.empty())
@@ -177,10 +177,10 @@ class Patches {
   }
 
   /// What lies too near to a wall for a carriageway.
-  Polygons margins(const PlanBox& box) const {
+  std::vector<Stroke> margins(const PlanBox& box) const {
     std::vector<Stroke> out;
     for (const Line* line : walls_.meeting(box)) out.push_back({*line, kLeastPavement_m});
-    return stroke_outlines(out, Cap::flat);
+    return out;
   }
 
   /// Strokes of the roads, pavement corners rounded, off the walls, without necks.
@@ -188,7 +188,7 @@ class Patches {
     const auto roads = strokes(roads_, box);
     if (roads.empty()) return {};
     Polygons area = offset(offset(stroke_outlines(roads, Cap::round), kKerbRadius_m, false), -kKerbRadius_m, true);
-    area = subtract(area, margins(box));
+    area = keep_off(area, margins(box), Cap::flat);
     return offset(offset(area, -kLeastCarriageway_m / 2, false), kLeastCarriageway_m / 2, false);
   }
 

@@ -60,10 +60,12 @@ class FacadePainter {
  private:
   /// Stains of rain and dust in three sizes, lighter upwards.
   void stain() {
-    canvas_.shade([&](double x, double z) {
-      const double noise = 0.5 * value_noise(x * 0.45, z * 0.3, 1) + 0.3 * value_noise(x * 1.6, z * 0.8, 2) +
-                           0.2 * value_noise(x * 7, z * 7, 3);
-      return 0.93 + 0.10 * noise + 0.03 * z / height_;
+    canvas_.shade([&](double z) {
+      const double base = 0.93 + 0.03 * z / height_;
+      return [base, large = NoiseLine(z * 0.3, width_ * 0.45, 1), middle = NoiseLine(z * 0.8, width_ * 1.6, 2),
+              small = NoiseLine(z * 7, width_ * 7, 3)](double x) {
+        return base + 0.10 * (0.5 * large(x * 0.45) + 0.3 * middle(x * 1.6) + 0.2 * small(x * 7));
+      };
     });
   }
   /// Of a floor above the lowest: as the style has it; of own windows half a metre below them.

@@ -3,12 +3,27 @@
 #include <geos_c.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
+#include "city_db/boxes.hpp"
 #include "sectorgen/geom/polygon.hpp"
 
 namespace vicus {
 namespace {
+
+/// No two boxes meet: nothing to unite.
+bool are_apart(const std::vector<Polygon>& polygons) {
+  constexpr std::size_t kFew = 16;
+  if (polygons.size() > kFew) return false;
+  std::vector<PlanBox> boxes;
+  for (const Polygon& p : polygons) {
+    const PlanBox box = box_of(p);
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const PlanBox& other) { return meet(other, box); })) return false;
+    boxes.push_back(box);
+  }
+  return true;
+}
 
 /// One GEOS context per call tree; messages are dropped: an empty result says enough.
 struct Geos {
@@ -91,28 +106,66 @@ struct Geos {
   Ptr multi(const std::vector<Polygon>& all) const {
     std::vector<Ptr> parts;
     for (const auto& p : all) parts.push_back(polygon(p));
+    if (parts.size() == 1) return std::move(parts.front());
+    if (are_apart(all)) return collection(std::move(parts), GEOS_MULTIPOLYGON);
+    return united(std::move(parts));
+  }
+  Ptr united(std::vector<Ptr> parts) const {
     const Ptr many = collection(std::move(parts), GEOS_GEOMETRYCOLLECTION);
     return own(GEOSUnaryUnion_r(handle, many.get()));
+  }
+  /// `operation` of both; where rounding left a polygon that GEOS refuses, of what a union makes of it.
+  std::vector<Polygon> overlay(GEOSGeometry* (*operation)(GEOSContextHandle_t, const GEOSGeometry*,
+                                                          const GEOSGeometry*),
+                               const Ptr& a, const Ptr& b) const {
+    Ptr result = own(operation(handle, a.get(), b.get()));
+    if (!result) {
+      const Ptr clean_a = own(GEOSUnaryUnion_r(handle, a.get())), clean_b = own(GEOSUnaryUnion_r(handle, b.get()));
+      if (clean_a && clean_b) result = own(operation(handle, clean_a.get(), clean_b.get()));
+    }
+    return polygons(result);
   }
 };
 
 constexpr int kQuadrantSegments = 3;
+constexpr double kMitreLimit = 2;  // times the radius
+
+Geos::Ptr outline_of(const Geos& geos, const Geos::Ptr& line, double radius_m, Cap cap) {
+  const int style = cap == Cap::round ? GEOSBUF_CAP_ROUND : cap == Cap::flat ? GEOSBUF_CAP_FLAT : GEOSBUF_CAP_SQUARE;
+  return geos.own(GEOSBufferWithStyle_r(geos.handle, line.get(), radius_m * kMmPerMetre, kQuadrantSegments, style,
+                                        GEOSBUF_JOIN_MITRE, kMitreLimit));
+}
 
 }  // namespace
 
 std::vector<Polygon> stroke_outlines(const std::vector<Stroke>& strokes, Cap cap) {
   if (strokes.empty()) return {};
   const Geos geos;
-  const int style = cap == Cap::round ? GEOSBUF_CAP_ROUND : cap == Cap::flat ? GEOSBUF_CAP_FLAT : GEOSBUF_CAP_SQUARE;
   std::vector<Geos::Ptr> parts;
-  for (const auto& stroke : strokes) {
+  for (const Stroke& stroke : strokes)
+    if (Geos::Ptr outline = outline_of(geos, geos.line(stroke.line), stroke.radius_m, cap))
+      parts.push_back(std::move(outline));
+  return geos.polygons(geos.united(std::move(parts)));
+}
+
+std::vector<Polygon> keep_off(const std::vector<Polygon>& area, const std::vector<Stroke>& strokes, Cap cap) {
+  if (area.empty() || strokes.empty()) return area;
+  const Geos geos;
+  const Geos::Ptr whole = geos.multi(area);
+  if (!whole) return area;
+  const std::unique_ptr<const GEOSPreparedGeometry, std::function<void(const GEOSPreparedGeometry*)>> near(
+      GEOSPrepare_r(geos.handle, whole.get()),
+      [&](const GEOSPreparedGeometry* g) { GEOSPreparedGeom_destroy_r(geos.handle, g); });
+  std::vector<Geos::Ptr> parts;
+  for (const Stroke& stroke : strokes) {
     const Geos::Ptr line = geos.line(stroke.line);
-    Geos::Ptr outline = geos.own(GEOSBufferWithStyle_r(geos.handle, line.get(), stroke.radius_m * kMmPerMetre,
-                                                       kQuadrantSegments, style, GEOSBUF_JOIN_MITRE, 2.0));
-    if (outline) parts.push_back(std::move(outline));
+    const double reach = kMitreLimit * stroke.radius_m * kMmPerMetre;
+    if (near && GEOSPreparedDistanceWithin_r(geos.handle, near.get(), line.get(), reach) == 0) continue;
+    if (Geos::Ptr outline = outline_of(geos, line, stroke.radius_m, cap)) parts.push_back(std::move(outline));
   }
-  const Geos::Ptr many = geos.collection(std::move(parts), GEOS_GEOMETRYCOLLECTION);
-  return geos.polygons(geos.own(GEOSUnaryUnion_r(geos.handle, many.get())));
+  if (parts.empty()) return area;
+  const Geos::Ptr cut = geos.united(std::move(parts));
+  return cut ? geos.overlay(GEOSDifference_r, whole, cut) : area;
 }
 
 std::vector<Polygon> close_gaps(const std::vector<Polygon>& polygons, double distance_m) {
@@ -153,7 +206,7 @@ std::vector<Polygon> subtract(const std::vector<Polygon>& from, const std::vecto
   const Geos geos;
   const Geos::Ptr a = geos.multi(from), b = geos.multi(what);
   if (!a || !b) return from;
-  return geos.polygons(geos.own(GEOSDifference_r(geos.handle, a.get(), b.get())));
+  return geos.overlay(GEOSDifference_r, a, b);
 }
 
 std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
@@ -161,21 +214,21 @@ std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<
   const Geos geos;
   const Geos::Ptr left = geos.multi(a), right = geos.multi(b);
   if (!left || !right) return {};
-  return geos.polygons(geos.own(GEOSIntersection_r(geos.handle, left.get(), right.get())));
+  return geos.overlay(GEOSIntersection_r, left, right);
 }
 
 std::vector<Polygon> subtract(const Polygon& from, const std::vector<Polygon>& what) {
   const Geos geos;
   const Geos::Ptr a = geos.polygon(from), b = geos.multi(what);
   if (!a || !b) return {from};
-  return geos.polygons(geos.own(GEOSDifference_r(geos.handle, a.get(), b.get())));
+  return geos.overlay(GEOSDifference_r, a, b);
 }
 
 std::vector<Polygon> intersect(const Polygon& a, const std::vector<Polygon>& b) {
   const Geos geos;
   const Geos::Ptr left = geos.polygon(a), right = geos.multi(b);
   if (!left || !right) return {};
-  return geos.polygons(geos.own(GEOSIntersection_r(geos.handle, left.get(), right.get())));
+  return geos.overlay(GEOSIntersection_r, left, right);
 }
 
 Line simplify(const Line& line, double tolerance_m) {

@@ -22,6 +22,9 @@ struct Stroke {
 enum class Cap { round, flat, square };
 std::vector<Polygon> stroke_outlines(const std::vector<Stroke>& strokes, Cap cap);
 
+/// `area` less the strokes' outlines: subtract(area, stroke_outlines(strokes, cap)), but only those near it are made.
+std::vector<Polygon> keep_off(const std::vector<Polygon>& area, const std::vector<Stroke>& strokes, Cap cap);
+
 /// Outlines grown, then shrunk (closing), so that gaps narrower than twice the distance fill.
 std::vector<Polygon> close_gaps(const std::vector<Polygon>& polygons, double distance_m);
 
