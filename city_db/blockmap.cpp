@@ -53,6 +53,15 @@ bool has_wall(const BlockMap& map, const SideHeights& heights, std::size_t colum
   return own - heights.at(other, -side.east, -side.north) > std::int64_t{map.wall_step_um};
 }
 
+/// Bits 0, 2, 4 ... side by side.   Needs   v < 2^32.
+std::size_t every_other_bit(std::size_t v) {
+  v &= 0x5555'5555;
+  v = (v | v >> 1) & 0x3333'3333;
+  v = (v | v >> 2) & 0x0f0f'0f0f;
+  v = (v | v >> 4) & 0x00ff'00ff;
+  return (v | v >> 8) & 0x0000'ffff;
+}
+
 bool is_sound(const BlockMap& map) {
   return std::has_single_bit(map.side) && map.side >= BLOCKMAP_LEAST_SIDE && map.side <= BLOCKMAP_MOST_SIDE &&
          map.rows >= BLOCKMAP_LEAST_ROWS && map.rows <= BLOCKMAP_MOST_ROWS && map.tile_side_mm > 0 &&
@@ -99,12 +108,7 @@ std::vector<std::uint32_t> first_columns(const std::vector<std::uint8_t>& walls)
   const int bits = std::countr_zero(walls.size()) / 2;
   std::uint32_t next = 0;
   for (std::size_t place = 0; place < walls.size(); ++place) {
-    std::size_t column = 0, row = 0;
-    for (int bit = 0; bit < bits; ++bit) {
-      column |= (place >> (2 * bit) & 1) << bit;
-      row |= (place >> (2 * bit + 1) & 1) << bit;
-    }
-    const std::size_t cell = (row << bits) + column;
+    const std::size_t cell = (every_other_bit(place >> 1) << bits) + every_other_bit(place);
     first[cell] = next;
     next += static_cast<std::uint32_t>(std::popcount(walls[cell]));
   }

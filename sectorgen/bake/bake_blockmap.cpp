@@ -95,17 +95,18 @@ CellGround ground_of(const GroundNodes& nodes, const Terrain& terrain, const Til
 double measured_error(const BakeScene& scene, const TileFrame& frame, const GroundNodes& nodes, const BlockMap& map,
                       const std::vector<CellFit>& fits, CellFitter& fitter) {
   const SurfaceDistance surface(map);
+  const double bad_m = kBadCell * frame.cell_m();
   double error = 0;
+  for (const CellFit& fit : fits) error = std::max(error, fit.error_m > bad_m ? fit.back_m : fit.error_m);
   for (std::size_t cell = 0; cell < fits.size(); ++cell) {
-    double own = fits[cell].error_m;
-    if (own > kBadCell * frame.cell_m()) {
-      const CellGround ground = ground_of(nodes, scene.terrain(), frame, cell % map.side, cell / map.side);
-      double around = 0;
-      fitter.true_corners(
-          cell, ground, [&](CellPoint at, double up_m) { around = std::max(around, surface.at_most(cell, at, up_m)); });
-      own = std::max(fits[cell].back_m, std::min(own, around + ground.rough_m));
-    }
-    error = std::max(error, own);
+    const double own = fits[cell].error_m;
+    if (own <= bad_m || own <= error) continue;  // it cannot raise the error
+    const CellGround ground = ground_of(nodes, scene.terrain(), frame, cell % map.side, cell / map.side);
+    double around = std::max(0.0, error - ground.rough_m);  // what is nearer does not count
+    fitter.true_corners(cell, ground, [&](CellPoint at, double up_m) {
+      around = std::max(around, surface.at_most(cell, at, up_m, around));
+    });
+    error = std::max(error, std::min(own, around + ground.rough_m));
   }
   return error;
 }

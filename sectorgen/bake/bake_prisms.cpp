@@ -7,7 +7,7 @@
 #include "sectorgen/bake/prism_footprint.hpp"
 #include "sectorgen/bake/prism_roof.hpp"
 #include "sectorgen/bake/prism_trees.hpp"
-#include "sectorgen/bake/z_order.hpp"
+#include "city_db/z_order.hpp"
 
 namespace vicus {
 namespace {

@@ -297,31 +297,31 @@ std::uint64_t BakeScene::key_of(const PlanBox& box) const {
   return hash.value();
 }
 
-namespace {
-
-/// Mean below the wall's top.
-ColourMean below_roof(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m,
-                      double high_m) {
-  const ColourMean plain = mean_of(house.wall_colour);
-  if (wall.facade < 0) return plain;
+WallColumn::WallColumn(const BakeHouse& house, const BakeWall& wall, double from, double to)
+    : plain_(mean_of(house.wall_colour)), roof_(mean_of(house.roof_colour)), top_m_(wall.top_m) {
+  if (wall.facade < 0) return;
   const BakeFacade& f = house.facades[static_cast<std::size_t>(wall.facade)];
-  const double low = std::clamp(low_m, f.bottom_m, f.top_m), high = std::clamp(high_m, f.bottom_m, f.top_m);
-  if (!f.picture || high <= low) return plain;
   const double x0 = wall.from_m + from * (wall.to_m - wall.from_m), x1 = wall.from_m + to * (wall.to_m - wall.from_m);
-  const double scale = f.repeats / f.length_m, u0 = std::min(x0, x1) * scale, u1 = std::max(x0, x1) * scale;
-  if (u1 - u0 < 1e-9) return plain;  // a stretch of nothing
-  const double height = f.top_m - f.bottom_m, share = (high - low) / (high_m - low_m);
-  return f.picture->mean(u0, u1, (low - f.bottom_m) / height, (high - f.bottom_m) / height) * share +
-         plain * (1 - share);
+  const double scale = f.repeats / f.length_m;
+  u0_ = std::min(x0, x1) * scale, u1_ = std::max(x0, x1) * scale;
+  constexpr double kNothing = 1e-9;
+  if (f.picture && u1_ - u0_ >= kNothing && f.top_m > f.bottom_m) facade_ = &f;
 }
 
-}  // namespace
+ColourMean WallColumn::up_to(double up_m) const {
+  const double wall_m = std::min(up_m, top_m_);
+  const ColourMean roof = roof_ * (up_m - wall_m);
+  if (!facade_) return roof + plain_ * wall_m;
+  const double picture_m = std::clamp(wall_m, facade_->bottom_m, facade_->top_m);
+  const double height_m = facade_->top_m - facade_->bottom_m;
+  return roof + plain_ * (wall_m - picture_m) +
+         facade_->picture->strip(u0_, u1_, (picture_m - facade_->bottom_m) / height_m) * height_m;
+}
 
 ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m,
                      double high_m) {
-  const double cut = std::clamp(wall.top_m, low_m, high_m), share = (cut - low_m) / (high_m - low_m);
-  const ColourMean roof = mean_of(house.roof_colour);
-  return cut > low_m ? below_roof(house, wall, from, to, low_m, cut) * share + roof * (1 - share) : roof;
+  const WallColumn column(house, wall, from, to);
+  return (column.up_to(high_m) + column.up_to(low_m) * -1) * (1 / (high_m - low_m));
 }
 
 }  // namespace vicus

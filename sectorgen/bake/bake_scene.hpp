@@ -121,8 +121,23 @@ class BakeScene {
 /// The PNGs of City::textures.  Needs   the city outlives it.
 std::function<std::string(const std::string&)> pictures_of(const City& city);
 
-/// Mean colour of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0. Above the
-/// wall it is the roof that shows.
+/// Colours of a stretch of wall: `from`, `to` are 0 at a ... 1 at b, heights above the plan frame's 0. Above the wall
+/// it is the roof that shows.
+class WallColumn {
+ public:
+  /// Needs   house and wall outlive it.
+  WallColumn(const BakeHouse& house, const BakeWall& wall, double from, double to);
+  /// Integral of the colour over the height, up to `up_m`, from a height of its own choice: differences are what
+  /// counts.
+  ColourMean up_to(double up_m) const;
+
+ private:
+  ColourMean plain_, roof_;
+  double top_m_, u0_ = 0, u1_ = 0;
+  const BakeFacade* facade_ = nullptr;  // with a picture
+};
+
+/// Mean colour of it between two heights.
 ColourMean wall_mean(const BakeHouse& house, const BakeWall& wall, double from, double to, double low_m, double high_m);
 
 /// FNV-1a over whole numbers, for keys.

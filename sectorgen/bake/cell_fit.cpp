@@ -124,7 +124,18 @@ void CellFitter::collect(std::size_t cell) {
     bare.mean_up = ground_.up + (ground_.east * bare.x + ground_.north * bare.y) / bare.area;
     parts_.push_back(bare);
   }
-  std::stable_sort(parts_.begin(), parts_.end(), [](const Part& p, const Part& q) { return p.mean_up < q.mean_up; });
+  sort_by_height();
+}
+
+/// Stable. A few parts, mostly in order: no memory is asked for.
+void CellFitter::sort_by_height() {
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    if (parts_[i].mean_up >= parts_[i - 1].mean_up) continue;
+    const Part part = parts_[i];
+    std::size_t at = i;
+    for (; at > 0 && part.mean_up < parts_[at - 1].mean_up; --at) parts_[at] = parts_[at - 1];
+    parts_[at] = part;
+  }
 }
 
 CellFit CellFitter::fit(std::size_t cell, const CellGround& ground) {
@@ -135,9 +146,11 @@ CellFit CellFitter::fit(std::size_t cell, const CellGround& ground) {
   CellFit flat = with_plane(0);
   flat.error_m = plane_error(flat);
   if (flat.error_m <= kFlat * units_.cell_m || parts_.size() < 2) return flat;
-  CellFit best = with_line(best_split());
+  const std::size_t likely = best_split();
+  CellFit best = with_line(likely);
   for (std::size_t k = 1; best.error_m > kGood * units_.cell_m && k < std::min(parts_.size(), kMostSplits); ++k)
-    if (const CellFit other = with_line(k); other.error_m < best.error_m) best = other;
+    if (k != likely)
+      if (const CellFit other = with_line(k); other.error_m < best.error_m) best = other;
   return best.error_m < flat.error_m ? best : flat;
 }
 
@@ -329,20 +342,22 @@ double CellFitter::line_error(CellFit& f) const {
   // What the wall over every point of the line spans for certain.
   const double low = std::max(foot, std::min({foot, plane.at(chord.a), plane.at(chord.b)}));
   const double high = std::max(low, std::min(plane.at(chord.a), plane.at(chord.b)));
-  double error = 0, slab = 0;
+  double error2 = 0, slab = 0;
+  const auto square_of = [](double v) { return v * v; };
   // One part by its corners: beside its plane on its own side, else beside the wall over the line.
   const auto judge = [&](bool above, auto corners, auto up_at, double rough) {
-    double own = 0, wall = 0, wrong = 0;
+    double own2 = 0, wall2 = 0, wrong = 0;
     corners([&](CellPoint p) {
       const double side = line.east * p.x + line.north * p.y - line.distance, up = up_at(p);
       const double beyond = above ? std::max(0.0, side) : std::max(0.0, -side), aside = chord.distance(p);
       const double off = beyond > 0 ? aside : 0;
       const double residual = std::abs(up - (above ? plane.at(p) : foot)) + rough;
-      own = std::max(own, length_of(off * units_.cell_m, residual + rise * off));
-      wall = std::max(wall, length_of(aside * units_.cell_m, std::max({0.0, up - high, low - up}) + rough));
+      own2 = std::max(own2, square_of(off * units_.cell_m) + square_of(residual + rise * off));
+      wall2 =
+          std::max(wall2, square_of(aside * units_.cell_m) + square_of(std::max({0.0, up - high, low - up}) + rough));
       wrong = std::max(wrong, beyond);
     });
-    error = std::max(error, std::min(own, wall));
+    error2 = std::max(error2, std::min(own2, wall2));
     slab = std::max(slab, std::min(wrong, 1.0));
   };
   for (const Part& part : parts_) {
@@ -361,7 +376,7 @@ double CellFitter::line_error(CellFit& f) const {
   f.top_m = std::max(foot, plane.up + (std::abs(plane.east) + std::abs(plane.north)) / 2);
   // Back from the line's wall to the true one: it passes within the slab that both sides overlap in.
   f.back_m = slab * units_.cell_m;
-  return std::max(error, f.back_m);
+  return std::max(std::sqrt(error2), f.back_m);
 }
 
 void CellFitter::true_corners(std::size_t cell, const CellGround& ground,

@@ -58,6 +58,7 @@ class CellFitter {
   struct Plane;
   struct Chord;
   void collect(std::size_t cell);
+  void sort_by_height();
   std::size_t best_split() const;
   CellFit with_plane(std::size_t first) const;
   CellFit with_line(std::size_t first) const;

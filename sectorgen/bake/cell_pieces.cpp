@@ -8,19 +8,23 @@ namespace {
 
 /// A convex polygon with few corners: a triangle cut by the four sides of a cell has at most seven.
 struct SmallPolygon {
-  std::array<CellPoint, 10> at;
+  double x[10], y[10];
   std::size_t count = 0;
-  void add(CellPoint p) { at[count++] = p; }
+  void add(CellPoint p) {
+    x[count] = p.x;
+    y[count++] = p.y;
+  }
+  CellPoint at(std::size_t i) const { return {x[i], y[i]}; }
 };
-
-double coordinate(CellPoint p, bool is_x) { return is_x ? p.x : p.y; }
 
 /// Cuts off what lies below `limit`, exactly on it where the edges cross; `rest` keeps what lies above.
 void split(const SmallPolygon& whole, bool is_x, double limit, SmallPolygon& below, SmallPolygon& rest) {
   below.count = rest.count = 0;
+  const double* along = is_x ? whole.x : whole.y;
   for (std::size_t i = 0; i < whole.count; ++i) {
-    const CellPoint p = whole.at[i], q = whole.at[i + 1 == whole.count ? 0 : i + 1];
-    const double pc = coordinate(p, is_x), qc = coordinate(q, is_x);
+    const std::size_t next = i + 1 == whole.count ? 0 : i + 1;
+    const CellPoint p = whole.at(i), q = whole.at(next);
+    const double pc = along[i], qc = along[next];
     if (pc <= limit) below.add(p);
     if (pc >= limit) rest.add(p);
     if ((pc < limit && qc > limit) || (pc > limit && qc < limit)) {
@@ -63,27 +67,26 @@ class Cutter {
   }
 
   template <class Take>
-  void cut(SmallPolygon polygon, bool is_x, Take take) const {
-    double low = coordinate(polygon.at[0], is_x), high = low;
-    for (std::size_t i = 1; i < polygon.count; ++i) {
-      low = std::min(low, coordinate(polygon.at[i], is_x));
-      high = std::max(high, coordinate(polygon.at[i], is_x));
-    }
+  void cut(const SmallPolygon& whole, bool is_x, Take take) const {
+    const double* along = is_x ? whole.x : whole.y;
+    const auto [low, high] = std::minmax_element(along, along + whole.count);
     std::int64_t first = 0, last = 0;
-    if (!cells_between(low, high, first, last)) return;
-    SmallPolygon below, rest;
-    if (low < double(first)) {
-      split(polygon, is_x, double(first), below, rest);
-      polygon = rest;
-    }
-    for (std::int64_t i = first; i <= last && polygon.count >= 3; ++i) {
-      if (high <= double(i + 1)) {
-        take(i, polygon);
+    if (!cells_between(*low, *high, first, last)) return;
+    SmallPolygon below, rests[2];
+    const SmallPolygon* polygon = &whole;
+    const auto split_at = [&](double limit) {
+      SmallPolygon& rest = polygon == &rests[0] ? rests[1] : rests[0];
+      split(*polygon, is_x, limit, below, rest);
+      polygon = &rest;
+    };
+    if (*low < double(first)) split_at(double(first));
+    for (std::int64_t i = first; i <= last && polygon->count >= 3; ++i) {
+      if (*high <= double(i + 1)) {
+        take(i, *polygon);
         return;
       }
-      split(polygon, is_x, double(i + 1), below, rest);
+      split_at(double(i + 1));
       if (below.count >= 3) take(i, below);
-      polygon = rest;
     }
   }
 
@@ -98,9 +101,9 @@ class Cutter {
     RoofPiece piece;
     piece.first_point = static_cast<std::uint32_t>(out_.points.size());
     double area = 0, x = 0, y = 0;
-    const CellPoint o{polygon.at[0].x - mx, polygon.at[0].y - my};
+    const CellPoint o{polygon.x[0] - mx, polygon.y[0] - my};
     for (std::size_t i = 0; i < polygon.count; ++i) {
-      const CellPoint p{polygon.at[i].x - mx, polygon.at[i].y - my};
+      const CellPoint p{polygon.x[i] - mx, polygon.y[i] - my};
       out_.points.push_back(p);
       if (i < 2) continue;
       const CellPoint q = *(out_.points.end() - 2);

@@ -11,11 +11,7 @@ namespace {
 constexpr std::size_t kReduced = 4;
 constexpr png_uint_32 kMostPixels = 4096;  // a side; ours have 512
 
-std::uint8_t channel(double v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5, 0.0, 255.0)); }
-
 }  // namespace
-
-Colour rounded(ColourMean c) { return {channel(c.r), channel(c.g), channel(c.b)}; }
 
 std::optional<FacadeSums> FacadeSums::of_png(const std::string& png) {
   png_image image{};
@@ -64,8 +60,11 @@ ColourMean FacadeSums::integral(double u, double v) const {
 }
 
 ColourMean FacadeSums::mean(double u0, double u1, double v0, double v1) const {
-  const ColourMean total = integral(u1, v1) + integral(u0, v1) * -1 + integral(u1, v0) * -1 + integral(u0, v0);
-  return total * (1 / ((u1 - u0) * (v1 - v0) * double(width_) * double(height_)));
+  return (strip(u0, u1, v1) + strip(u0, u1, v0) * -1) * (1 / (v1 - v0));
+}
+
+ColourMean FacadeSums::strip(double u0, double u1, double v) const {
+  return (integral(u1, v) + integral(u0, v) * -1) * (1 / ((u1 - u0) * double(width_) * double(height_)));
 }
 
 ColourMean FacadeSums::at(double u, double v) const {

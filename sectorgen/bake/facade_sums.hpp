@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,7 +17,10 @@ struct ColourMean {
   friend ColourMean operator*(ColourMean p, double k) { return {p.r * k, p.g * k, p.b * k}; }
 };
 inline ColourMean mean_of(Colour c) { return {double(c.r), double(c.g), double(c.b)}; }
-Colour rounded(ColourMean c);
+inline Colour rounded(ColourMean c) {
+  const auto channel = [](double v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5, 0.0, 255.0)); };
+  return {channel(c.r), channel(c.g), channel(c.b)};
+}
 
 /// A summed-area table (Crow, SIGGRAPH 1984) of a picture reduced by 4 x 4 pixels: about 0.3 m of a facade, finer than
 /// any cell that it is sampled for.
@@ -28,6 +32,8 @@ class FacadeSums {
   /// Mean over [u0, u1] x [v0, v1]; the picture repeats in u, v goes from 0 at its foot to 1.
   /// Needs   u0 < u1, 0 <= v0 < v1 <= 1.
   ColourMean mean(double u0, double u1, double v0, double v1) const;
+  /// Integral of the mean over [u0, u1] from the picture's foot up to v: of two rows that meet, each side once.
+  ColourMean strip(double u0, double u1, double v) const;
   ColourMean at(double u, double v) const;
 
  private:

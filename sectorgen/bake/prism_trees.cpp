@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sectorgen/bake/z_order.hpp"
+#include "city_db/z_order.hpp"
 
 namespace vicus {
 namespace {

@@ -22,9 +22,10 @@ double SurfaceDistance::up_at(std::size_t cell, CellPoint p) const {
   return plane_at(cell, p);
 }
 
-double SurfaceDistance::at_most(std::size_t cell, CellPoint at, double up_m) const {
+double SurfaceDistance::at_most(std::size_t cell, CellPoint at, double up_m, double enough_m) const {
   const long n = static_cast<long>(map_.side), column = static_cast<long>(cell) % n, row = static_cast<long>(cell) / n;
   double least2 = std::numeric_limits<double>::infinity();
+  const double enough2 = enough_m * enough_m;
   for (long r = std::max(0L, row - 2); r <= std::min(n - 1, row + 2); ++r)
     for (long c = std::max(0L, column - 2); c <= std::min(n - 1, column + 2); ++c) {
       const auto here = static_cast<std::size_t>(r * n + c);
@@ -54,6 +55,7 @@ double SurfaceDistance::at_most(std::size_t cell, CellPoint at, double up_m) con
         const double x = inside.x;
         look({x, 0.5}, up_at(here, {x, 0.5}), up_at(here + static_cast<std::size_t>(n), {x, -0.5}));
       }
+      if (least2 < enough2) return std::sqrt(least2);
     }
   return std::sqrt(least2);
 }

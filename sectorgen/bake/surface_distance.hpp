@@ -9,8 +9,8 @@ namespace vicus {
 class SurfaceDistance {
  public:
   explicit SurfaceDistance(const BlockMap& map);  ///< needs the planes; keeps a reference
-  /// `at` from the middle of the cell; `up_m` above the base plane.
-  double at_most(std::size_t cell, CellPoint at, double up_m) const;
+  /// `at` from the middle of the cell; `up_m` above the base plane. Below `enough_m` any bound will do.
+  double at_most(std::size_t cell, CellPoint at, double up_m, double enough_m = 0) const;
 
  private:
   double up_at(std::size_t cell, CellPoint p) const;

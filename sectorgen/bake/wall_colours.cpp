@@ -102,18 +102,22 @@ class WallPainter {
     const ColourMean plain =
         found_.empty() ? mean_of(roof_.at(cell % map_.side, map_.side - 1 - cell / map_.side)) : ColourMean{};
     const std::size_t strip = column / BLOCKMAP_ATLAS_WIDTH;
-    for (std::uint32_t row = 0; row < map_.rows; ++row) {
-      ColourMean sum = plain;
-      double total = found_.empty() ? 1 : 0;
-      const double low = base + span.low_m + row * step;
-      for (const auto& [piece, weight] : found_) {
-        const BakeHouse& house = scene_.houses()[piece->house];
-        const BakeWall& wall = house.walls[piece->wall];
-        sum = sum + wall_mean(house, wall, piece->from, piece->to, low, low + step) * (wall.light * weight);
-        total += weight;
+    sums_.assign(map_.rows, plain);
+    double total = found_.empty() ? 1 : 0;
+    for (const auto& [piece, weight] : found_) {
+      const BakeHouse& house = scene_.houses()[piece->house];
+      const BakeWall& wall = house.walls[piece->wall];
+      const WallColumn colours(house, wall, piece->from, piece->to);
+      ColourMean below = colours.up_to(base + span.low_m);
+      for (std::uint32_t row = 0; row < map_.rows; ++row) {
+        const ColourMean above = colours.up_to(base + span.low_m + (row + 1) * step);
+        sums_[row] = sums_[row] + (above + below * -1) * (wall.light * weight / step);
+        below = above;
       }
-      image_.set(column % BLOCKMAP_ATLAS_WIDTH, (strip + 1) * map_.rows - 1 - row, rounded(sum * (1 / total)));
+      total += weight;
     }
+    for (std::uint32_t row = 0; row < map_.rows; ++row)
+      image_.set(column % BLOCKMAP_ATLAS_WIDTH, (strip + 1) * map_.rows - 1 - row, rounded(sums_[row] * (1 / total)));
   }
 
   /// What is left of the last strip repeats its last column: it costs nothing.
@@ -132,6 +136,7 @@ class WallPainter {
   const std::vector<CellFit>& fits_;
   const RgbImage& roof_;
   std::vector<std::pair<const WallPiece*, double>> found_;
+  std::vector<ColourMean> sums_;  // of a column, from its foot
   RgbImage image_;
 };
 

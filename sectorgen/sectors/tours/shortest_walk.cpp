@@ -9,6 +9,7 @@
 namespace vicus {
 namespace {
 
+constexpr double kFollowed = -1;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 double length(PlanPoint a, PlanPoint b) {  // squares of lattice differences are far from overflow: no hypot
@@ -25,13 +26,7 @@ double share_at(PlanPoint a, PlanPoint b, PlanPoint p, PlanPoint q) {
 }  // namespace
 
 ShortestWalk::ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph)
-    : walk_(walk),
-      places_(places),
-      graph_(graph),
-      sight_(walk),
-      reached_(graph.point.size()),
-      sees_to_(graph.point.size(), 0),
-      let_in_(graph.point.size(), 0) {}
+    : walk_(walk), places_(places), graph_(graph), sight_(walk), reached_(graph.point.size()) {}
 
 /// No walk from there to `to` is shorter.
 double ShortestWalk::rest_from(std::uint32_t node) const {
@@ -50,10 +45,13 @@ void ShortestWalk::reach(std::uint32_t node, double mm, std::uint32_t before) {
   if (r.query == query_ && r.mm <= mm) return;
   const double f = mm + rest_from(node);
   if (f >= best_mm_) return;
-  r = {query_, before, mm};
+  r.query = query_;
+  r.before = before;
+  r.mm = mm;
+  r.least_mm = f;
   queue_.emplace_back(-f, node);
   std::push_heap(queue_.begin(), queue_.end());
-  if (sees_to_[node] != query_) return;
+  if (r.sees_to != query_) return;
   if (const double whole = mm + length(graph_.corner[node].at, to_); whole < best_mm_) {
     best_mm_ = whole;
     last_ = node;
@@ -78,7 +76,8 @@ void ShortestWalk::let_into_alleys(const std::vector<std::uint32_t>& triangles) 
   for (const std::uint32_t first : triangles)
     for (std::uint32_t t = first; walk_.way_out[t] != kNone; t = walk_.way_out[t])
       for (int k = 0; k < 3; ++k)
-        if (const std::uint32_t node = graph_.node_of[walk_.mesh.corner(t, k)]; node != kNone) let_in_[node] = query_;
+        if (const std::uint32_t node = graph_.node_of[walk_.mesh.corner(t, k)]; node != kNone)
+          reached_[node].let_in = query_;
 }
 
 /// false: no way. Fills best_mm_ and last_.
@@ -87,31 +86,45 @@ bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
   last_ = kNone;
   queue_.clear();
   for (const std::uint32_t c : sight_.corners())
-    if (const std::uint32_t n = graph_.node_of[c]; !graph_.corner[n].is_blind || let_in_[n] == query_)
+    if (const std::uint32_t n = graph_.node_of[c]; !graph_.corner[n].is_blind || reached_[n].let_in == query_)
       reach(n, length(from, walk_.mesh.points[c]), kNone);
   while (!queue_.empty()) {
     const auto [minus_f, node] = queue_.front();
     if (-minus_f >= best_mm_) break;
     std::pop_heap(queue_.begin(), queue_.end());
     queue_.pop_back();
-    const double mm = reached_[node].mm;
-    if (-minus_f > mm + rest_from(node) + 1e-6) continue;  // reached on a shorter way since
+    Reached& reached = reached_[node];
+    if (-minus_f > reached.least_mm) continue;  // reached on a shorter way, or followed on, since
+    reached.least_mm = kFollowed;
+    const double mm = reached.mm;
     const auto& corner = graph_.corner[node];
-    const std::uint32_t before = reached_[node].before;
+    const std::uint32_t before = reached.before;
     const PlanPoint in = before == kNone ? from : graph_.corner[before].at, at = corner.at;
-    // A taut walk turns towards the wall that it touches; where that has no breadth and lies straight on, to both
-    // sides.
-    const auto of_right = orient(in, at, corner.right_wall), of_left = orient(in, at, corner.left_wall);
-    const bool is_along = of_right == 0 && of_left == 0;
-    const bool may_left = is_along || of_right > 0 || of_left > 0, may_right = is_along || of_right < 0 || of_left < 0;
-    for (std::uint32_t e = graph_.begin[node]; e < graph_.begin[node + 1]; ++e, ++steps) {
-      const std::uint32_t n = graph_.neighbour[e];
-      const auto& next = graph_.corner[n];
-      const std::int64_t turn = orient(in, at, next.at);
-      if ((turn > 0 && !may_left) || (turn < 0 && !may_right)) continue;
-      if (next.is_blind && let_in_[n] != query_) continue;
-      reach(n, mm + length(at, next.at), node);
-    }
+    const auto follow = [&](std::uint32_t first, std::uint32_t end) {
+      steps += end - first;
+      for (std::uint32_t e = first; e < end; ++e) {
+        const std::uint32_t n = graph_.neighbour[e];
+        const Reached& there = reached_[n];
+        if (there.query == query_ && there.mm <= mm) continue;
+        if (graph_.corner[n].is_blind && there.let_in != query_) continue;
+        reach(n, mm + length(at, graph_.corner[n].at), node);
+      }
+    };
+    // Straight on, or to that side of it.
+    const auto is_on = [&](std::uint32_t n, int side) {
+      const PlanPoint next = graph_.corner[n].at;
+      const std::int64_t turn = side * orient(in, at, next);
+      return turn > 0 || (turn == 0 && dot(at, in, next) < 0);
+    };
+    const auto edge = [&](std::uint32_t e) { return graph_.neighbour.begin() + e; };
+    const auto first_of = [&](auto found) { return static_cast<std::uint32_t>(found - graph_.neighbour.begin()); };
+    const std::uint32_t first = graph_.begin[node], second = graph_.second[node], end = graph_.begin[node + 1];
+    if (corner.has_in_first(in))
+      follow(first_of(std::partition_point(edge(second), edge(end), [&](std::uint32_t n) { return !is_on(n, 1); })),
+             end);
+    if (corner.has_in_second(in))
+      follow(first,
+             first_of(std::partition_point(edge(first), edge(second), [&](std::uint32_t n) { return is_on(n, -1); })));
   }
   return last_ != kNone;
 }
@@ -123,8 +136,6 @@ std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
     for (const std::uint32_t t : to_triangles) is_connected |= walk_.part[f] == walk_.part[t];
   if (!is_connected) return std::nullopt;
   if (++query_ == 0) {  // the counter has gone round
-    std::fill(sees_to_.begin(), sees_to_.end(), 0);
-    std::fill(let_in_.begin(), let_in_.end(), 0);
     std::fill(reached_.begin(), reached_.end(), Reached{});
     query_ = 1;
   }
@@ -143,7 +154,7 @@ std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
       to_landmark_[l] = std::min(to_landmark_[l], static_cast<double>(graph_.from_landmark[graph_.node_of[c]][l]) + mm);
   };
   for (const std::uint32_t c : sight_.corners()) {
-    sees_to_[graph_.node_of[c]] = query_;
+    reached_[graph_.node_of[c]].sees_to = query_;
     tell_landmarks(c);
   }
   for (const std::uint32_t c : sight_.met_head_on()) tell_landmarks(c);  // it may be a landmark

@@ -42,9 +42,13 @@ class ShortestWalk {
   std::optional<Walk> find(PlanPoint from, PlanPoint to);
 
  private:
-  struct Reached {
+  /// A node in the search. Of an earlier query than query_: nothing.
+  struct alignas(32) Reached {
     std::uint32_t query = 0, before = kNone;
     double mm = 0;
+    double least_mm = 0;        ///< of a whole walk this way; -1: followed on already
+    std::uint32_t sees_to = 0;  ///< the query in which it sees `to`
+    std::uint32_t let_in = 0;   ///< in a blind alley: the query that begins or ends in there
   };
   double rest_from(std::uint32_t node) const;
   void reach(std::uint32_t node, double mm, std::uint32_t before);
@@ -61,9 +65,7 @@ class ShortestWalk {
   bool is_whole_ = true;  // the ground at `to` is one piece
   std::array<double, kLandmarks> to_landmark_{};
   std::uint32_t query_ = 0;
-  std::vector<Reached> reached_;        // per node
-  std::vector<std::uint32_t> sees_to_;  // per node: the query in which it sees `to`
-  std::vector<std::uint32_t> let_in_;   // per node in a blind alley: the query that begins or ends in there
+  std::vector<Reached> reached_;  // per node
   std::vector<std::pair<double, std::uint32_t>> queue_;
   double best_mm_ = 0;          // of a walk to `to`
   std::uint32_t last_ = kNone;  // its last corner

@@ -93,6 +93,27 @@ void find_landmarks(const WalkMesh& walk, const HeadOn& head_on, SightGraph& gra
   });
 }
 
+/// Appends a corner's neighbours, wedge by wedge; returns how many are in the first.
+std::uint32_t append_by_wedge(const SightGraph& graph, const SightGraph::Corner& corner,
+                              const std::vector<std::uint32_t>& points, std::vector<std::uint32_t>& out) {
+  const PlanPoint at = corner.at;
+  // `start`: where the wedge begins. It is no wider than a half turn, but may be that.
+  const auto append = [&](auto is_in, PlanPoint start, double sign) {
+    const std::size_t first = out.size();
+    for (const std::uint32_t p : points)
+      if (const std::uint32_t n = graph.node_of[p]; is_in(graph.corner[n].at)) out.push_back(n);
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), [&](std::uint32_t m, std::uint32_t n) {
+      const PlanPoint p = graph.corner[m].at, q = graph.corner[n].at;
+      if (const auto turn = orient(at, p, q); turn != 0) return turn > 0;
+      return dot(at, p, q) < 0 && sign * static_cast<double>(dot(at, p, start)) > 0;
+    });
+    return static_cast<std::uint32_t>(out.size() - first);
+  };
+  const std::uint32_t count = append([&](PlanPoint p) { return corner.has_in_first(p); }, corner.right_wall, 1);
+  append([&](PlanPoint p) { return corner.has_in_second(p); }, corner.right_wall, -1);
+  return count;
+}
+
 }  // namespace
 
 SightGraph make_sight_graph(const WalkMesh& walk) {
@@ -111,21 +132,24 @@ SightGraph make_sight_graph(const WalkMesh& walk) {
   const std::size_t batches = (walk.corners.size() + kBatch - 1) / kBatch;
   const unsigned threads = thread_count(0);
   std::vector<std::unique_ptr<Sight>> sights(threads);
-  std::vector<std::vector<std::uint32_t>> seen(batches), counts(batches);
+  std::vector<std::vector<std::uint32_t>> seen(batches), ends(batches), seconds(batches);
   std::vector<HeadOn> met(batches);
   run_parallel(batches, threads, [&](std::size_t b, unsigned thread) {
     if (!sights[thread]) sights[thread] = std::make_unique<Sight>(walk);
     for (std::size_t c = b * kBatch; c < std::min(walk.corners.size(), (b + 1) * kBatch); ++c) {
       sights[thread]->look_on(walk.corners[c].triangle, walk.corners[c].corner);
-      for (const std::uint32_t point : sights[thread]->corners()) seen[b].push_back(graph.node_of[point]);
+      const auto begin = static_cast<std::uint32_t>(seen[b].size());
+      seconds[b].push_back(begin + append_by_wedge(graph, graph.corner[c], sights[thread]->corners(), seen[b]));
+      ends[b].push_back(static_cast<std::uint32_t>(seen[b].size()));
       for (const std::uint32_t point : sights[thread]->met_head_on())
         met[b].from_to.emplace_back(static_cast<std::uint32_t>(c), graph.node_of[point]);
-      counts[b].push_back(static_cast<std::uint32_t>(sights[thread]->corners().size()));
     }
   });
   graph.begin.push_back(0);
   for (std::size_t b = 0; b < batches; ++b) {
-    for (const std::uint32_t count : counts[b]) graph.begin.push_back(graph.begin.back() + count);
+    const auto before = static_cast<std::uint32_t>(graph.neighbour.size());
+    for (const std::uint32_t end : ends[b]) graph.begin.push_back(before + end);
+    for (const std::uint32_t second : seconds[b]) graph.second.push_back(before + second);
     graph.neighbour.insert(graph.neighbour.end(), seen[b].begin(), seen[b].end());
     seen[b] = {};
   }

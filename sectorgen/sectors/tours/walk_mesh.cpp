@@ -4,6 +4,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "city_db/z_order.hpp"
 #include "sectorgen/geom/noding.hpp"
 #include "sectorgen/geom/predicates.hpp"
 
@@ -143,6 +144,11 @@ void find_bends(WalkMesh& walk) {
       walk.corners.push_back({t, k});
       for (const auto& [at, corner] : fan) walk.bends[at] = static_cast<std::uint8_t>(walk.bends[at] | 1u << corner);
     }
+  // What is looked at together lies together: a search goes through the graph's nodes from neighbour to neighbour.
+  std::vector<std::pair<std::uint64_t, SideOfFan>> ordered;
+  for (const auto& c : walk.corners) ordered.emplace_back(z_order(walk.at(c.triangle, c.corner)), c);
+  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < ordered.size(); ++i) walk.corners[i] = ordered[i].second;
 }
 
 void number_parts(WalkMesh& walk) {

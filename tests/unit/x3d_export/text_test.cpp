@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "city_db/steady_hash.hpp"
@@ -37,6 +38,22 @@ TEST(AppendNumber, GivesEveryLatticeValueBackAsAFloatWithinHalfAMillimetre) {
     const std::string text = number(value / 1000.0);
     EXPECT_EQ(std::llround(std::stod(text) * 1000), value) << text;
     ASSERT_NEAR(static_cast<double>(std::stof(text)) * 1000, value, 0.5) << text;
+  }
+}
+
+TEST(AppendNumber, IsTheNearestDecimalOfRandomNumbers) {
+  constexpr unsigned kSeed = 27;
+  SCOPED_TRACE(kSeed);
+  std::mt19937_64 random(kSeed);
+  for (int i = 0; i < 100'000; ++i) {
+    const int decimals = static_cast<int>(random() % 7);
+    const double value =
+        std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random), static_cast<int>(random() % 36));
+    const std::string text = number(value, decimals);
+    const double back = std::stod(text), half_unit = 0.5 * std::pow(10, -decimals);
+    EXPECT_LE(std::abs(back - value), half_unit * (1 + 1e-9) + std::abs(value) * 1e-15) << text << " for " << value;
+    EXPECT_TRUE(text.find('.') == std::string::npos || (text.back() != '0' && text.back() != '.')) << text;
+    EXPECT_NE(text, "-0");
   }
 }
 

@@ -82,6 +82,25 @@ TEST(WriteX3dj, IsJsonWithTheSameContent) {
   EXPECT_EQ(nodes[4]["ROUTE"]["@toField"], "set_position");
 }
 
+TEST(Writers, WriteNumbersThatWereSpelledBeforeAsTheyWriteOthers) {
+  Node coordinate("Coordinate", "POINTS"), faces("IndexedFaceSet"), shape("Shape"), group("Group");
+  std::vector<double> points;
+  std::vector<std::int32_t> indices;
+  for (int i = 0; i < 40; ++i) {
+    points.insert(points.end(), {i * 1.5, -0.001 * i, 1000.0 + i});
+    indices.push_back(i % 4 == 3 ? -1 : i);
+  }
+  faces.set("coordIndex", indices).add("coord", coordinate.set("point", points));
+  group.add(shape.add("geometry", faces));
+  for (const SceneFormat format : {SceneFormat::x3d, SceneFormat::vrml, SceneFormat::x3dj}) {
+    Node spelled = group;
+    EXPECT_EQ(settled_size(spelled, format), written_size(group, format));
+    const Node& geometry = spelled.nodes[0].nodes[0].nodes[0].nodes[0];
+    EXPECT_TRUE(std::holds_alternative<NumberText>(geometry.fields[0].value));
+    EXPECT_EQ(write_scene({"t", {}, {spelled}, {}}, format), write_scene({"t", {}, {group}, {}}, format));
+  }
+}
+
 TEST(Writers, ReplaceBytesThatAreNoText) {
   Node info("WorldInfo");
   info.set("title", "a\xFF\x01z");
