@@ -110,11 +110,11 @@ bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
         reach(n, mm + length(at, graph_.corner[n].at), node);
       }
     };
-    // Straight on, or to that side of it.
+    // Straight on, or to that side of it; which may be back, along the other side of a wall without breadth.
     const auto is_on = [&](std::uint32_t n, int side) {
-      const PlanPoint next = graph_.corner[n].at;
+      const PlanPoint next = graph_.corner[n].at, wall = side > 0 ? corner.left_wall : corner.right_wall;
       const std::int64_t turn = side * orient(in, at, next);
-      return turn > 0 || (turn == 0 && dot(at, in, next) < 0);
+      return turn > 0 || (turn == 0 && (dot(at, in, next) < 0 || dot(at, wall, next) > 0));
     };
     const auto edge = [&](std::uint32_t e) { return graph_.neighbour.begin() + e; };
     const auto first_of = [&](auto found) { return static_cast<std::uint32_t>(found - graph_.neighbour.begin()); };

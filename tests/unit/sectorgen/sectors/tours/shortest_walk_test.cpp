@@ -64,7 +64,9 @@ void expect_as_short_as_brute_force(const WalkMesh& walk, const WalkGround& grou
 }
 
 TEST(ShortestWalk, IsAsShortAsBruteForceInRandomCities) {
-  for (const auto seed : seeds(1, 150)) {
+  auto all = seeds(1, 150);
+  all.push_back(13854);  // round the end of a wall without breadth, and back along its other side
+  for (const auto seed : all) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto side = static_cast<std::uint32_t>(6 + seed % 5);
     const auto rc = random_city(seed, side, 6 + static_cast<std::uint32_t>(seed % 17));
