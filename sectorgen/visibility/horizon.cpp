@@ -114,36 +114,46 @@ bool Horizon::hides(std::uint32_t bin_index, float distance, float rise) {
 /// Goes on until a roof rises as asked, the distance is reached or the field ends.
 void Horizon::follow(std::uint32_t bin_index, Bin& bin, float distance, float rise) {
   const Spot direction = directions_[bin_index];
+  const auto place = [&](double at) { return Spot{centre_.x + at * direction.x, centre_.y + at * direction.y}; };
+  const double field_end = field_.end_of(centre_, direction), widening = half_width_ * (1 + kRounding);
   float best = bin.steps > 0 ? bin.step[bin.steps - 1].rise : kNoRise;
   double at = bin.followed, tile_end = at;
   const WornGrid* grid = nullptr;
   while (at < static_cast<double>(distance) && best < rise) {
-    const Spot x{centre_.x + at * direction.x, centre_.y + at * direction.y};
-    const double radius = radius_ + at * half_width_ * (1 + kRounding);
-    if (grid == nullptr || radius > grid->radius_m) grid = field_.grid_for(radius);
-    if (grid == nullptr || field_.is_left_for_good(x, direction) ||
-        (best >= 0 && eye_m_ + best * at >= field_.ceiling())) {
+    if (const double radius = radius_ + at * widening; grid == nullptr || radius > grid->radius_m)
+      grid = field_.grid_for(radius);
+    const double roofs_end = best > 0 ? (field_.ceiling() - eye_m_) / double{best} : HUGE_VAL;  // the line is above all
+    if (grid == nullptr || at >= field_end || at >= roofs_end) {
       bin.is_ended = true;
       break;
     }
     if (at >= tile_end) {
       // A line that rises gets no lower on the way; one that falls is at its lowest where the question ends.
-      const double way = field_.clear_way(x, direction, eye_m_ + double{best} * (best >= 0 ? at : double{distance}));
+      const double way =
+          field_.clear_way(place(at), direction, eye_m_ + double{best} * (best >= 0 ? at : double{distance}));
       if (way > 0) {
         at += way + kPastTile_m;
         continue;
       }
       tile_end = at + kAskTiles_m;
     }
-    const double rise_here = (field_.sure_height(*grid, x) - eye_m_) / at;
+    const double stop = std::min(
+        {static_cast<double>(distance), field_end, roofs_end, tile_end, (grid->radius_m - radius_) / widening});
+    const double step = kStepCells * grid->cell_m;
+    double top_m = 0, here_at = at;
+    do {  // to the next roof above the line
+      here_at = at;
+      top_m = field_.sure_height(*grid, place(at));
+      at += std::max(step, kStepShare * at);
+    } while (top_m <= eye_m_ + double{best} * here_at && at < stop);
+    const double rise_here = (top_m - eye_m_) / here_at;
     const auto here = static_cast<float>(rise_here - std::abs(rise_here) * kRounding);
     if (here > best && here > kNoRise / 2) {
       best = here;
-      tile_end = at;
+      tile_end = here_at;
       if (bin.steps == bin.step.size()) --bin.steps;  // the last one gives way: less is known between the two
-      bin.step[bin.steps++] = {static_cast<float>(at * (1 + kRounding)), here};
+      bin.step[bin.steps++] = {static_cast<float>(here_at * (1 + kRounding)), here};
     }
-    at += std::max(kStepCells * grid->cell_m, kStepShare * at);
   }
   bin.followed = static_cast<float>(at);
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFirstRound_m = 0.5;
 constexpr double kInset_m = 0.02;  // rays start and end this far off walls
 /// Directions of a horizon: more where a disc is so small that a bin's width would blur it.
-constexpr std::uint32_t kFewBins = 512, kManyBins = 1024;
+constexpr std::uint32_t kFewBins = 768, kManyBins = 1024;
 constexpr double kManyBinsBelow_m = 1.5;
 
 /// CPU seconds of this thread.

@@ -75,7 +75,7 @@ Plane halved(const Plane& fine) {
 }
 
 WornGrid in_blocks(const Plane& plane, double radius_m) {
-  WornGrid grid{plane.cell_m, radius_m, plane.columns, plane.rows, (plane.columns + 7) / 8, {}, {}};
+  WornGrid grid{plane.cell_m, 1 / plane.cell_m, radius_m, plane.columns, plane.rows, (plane.columns + 7) / 8, {}, {}};
   const std::int64_t block_rows = (plane.rows + 7) / 8;
   grid.block.assign(static_cast<std::size_t>(grid.block_columns * block_rows), 0);
   grid.height.assign(64, 0);

@@ -14,7 +14,7 @@ inline constexpr double kHeightStep_m = 0.5;  ///< the finest; coarser where a c
 /// One grid of the field. A value holds for every point of the cell and everything within `radius_m` of it. Kept in
 /// blocks of 8 x 8 cells, one cache line each; blocks of open ground are the first one.
 struct WornGrid {
-  double cell_m = 0, radius_m = 0;
+  double cell_m = 0, per_cell = 0, radius_m = 0;  ///< per_cell: 1 / cell_m, exact: cells are powers of two
   std::int64_t columns = 0, rows = 0, block_columns = 0;
   std::vector<std::uint32_t> block;
   std::vector<std::uint8_t> height;  ///< in steps above the field's base, rounded down; 0: nothing sure
@@ -36,7 +36,7 @@ class RoofField {
   }
   /// The most one can be sure of: every point within the grid's radius of x is roofed up to this. kNoRoof_m: nothing.
   double sure_height(const WornGrid& grid, Spot x) const {
-    const double across = (x.x - left_) / grid.cell_m, along = (x.y - bottom_) / grid.cell_m;
+    const double across = (x.x - left_) * grid.per_cell, along = (x.y - bottom_) * grid.per_cell;
     if (!(across >= 0 && along >= 0 && across < static_cast<double>(grid.columns) &&
           along < static_cast<double>(grid.rows)))
       return kNoRoof_m;
@@ -58,10 +58,13 @@ class RoofField {
     const auto out = [](double in, double step) { return step > 0 ? (1 - in) / step : step < 0 ? -in / step : 1e9; };
     return kTile_m * std::min(out(across - column, direction.x), out(along - row, direction.y));
   }
-  /// A line at x with that direction meets no grid any more.
-  bool is_left_for_good(Spot x, Spot direction) const {
-    return (x.x < left_ && direction.x <= 0) || (x.x > right_ && direction.x >= 0) ||
-           (x.y < bottom_ && direction.y <= 0) || (x.y > top_ && direction.y >= 0);
+  /// How far on a line from x meets no grid any more.
+  double end_of(Spot x, Spot direction) const {
+    const auto leaves = [](double at, double step, double low, double high) {
+      if (step == 0) return at < low || at > high ? 0 : HUGE_VAL;
+      return (step > 0 ? high - at : low - at) / step;
+    };
+    return std::min(leaves(x.x, direction.x, left_, right_), leaves(x.y, direction.y, bottom_, top_));
   }
 
  private:
