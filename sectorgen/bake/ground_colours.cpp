@@ -1,5 +1,6 @@
 #include "sectorgen/bake/ground_colours.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "city_db/boxes.hpp"
@@ -37,6 +38,13 @@ const std::array<ColourMean, 16>& colours_of_kinds() {
 /// The sum over count x count samples, from one row to the next `stride` apart.
 Sum sum_of(const std::uint8_t* kinds, std::size_t count, std::size_t stride) {
   const auto& colours = colours_of_kinds();
+  // Mostly they are all of one kind.
+  const std::uint8_t first = kinds[0];
+  bool is_one = true;
+  for (std::size_t y = 0; y < count; ++y)
+    is_one &= std::all_of(kinds + y * stride, kinds + y * stride + count, [&](std::uint8_t k) { return k == first; });
+  const auto all = static_cast<double>(count * count);
+  if (is_one) return first == 0 ? Sum{} : Sum{colours[first] * all, all};
   std::array<int, 16> times{};
   for (std::size_t y = 0; y < count; ++y)
     for (std::size_t x = 0; x < count; ++x) ++times[kinds[y * stride + x]];

@@ -87,8 +87,11 @@ bool Horizon::hides_bins(double first_angle, double last_angle, double distance,
   const auto last = static_cast<std::int64_t>(std::floor((last_angle + kAngleDoubt) / per_bin));
   const auto least_distance = static_cast<float>(distance * (1 - kRounding));
   const auto most_rise = static_cast<float>(rise + (std::abs(rise) + 1) * kRounding);
-  for (std::int64_t i = first; i <= last; ++i)
-    if (!hides(static_cast<std::uint32_t>(((i % bins) + bins) % bins), least_distance, most_rise)) return false;
+  auto bin = static_cast<std::uint32_t>((first % bins + bins) % bins);
+  for (std::int64_t i = first; i <= last; ++i) {
+    if (!hides(bin, least_distance, most_rise)) return false;
+    if (++bin == bins_.size()) bin = 0;
+  }
   return true;
 }
 
