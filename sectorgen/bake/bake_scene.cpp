@@ -222,26 +222,32 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
   terrain_key_ = hash.value();
 }
 
+namespace {
+
+std::uint64_t key_of_ground(const BakeGround& g) {
+  KeyHash hash;
+  hash.add(static_cast<std::uint64_t>(g.kind));
+  for (const PlanPoint p : g.at) hash.add(grid_key(p.x, p.y));
+  return hash.value();
+}
+
+bool is_upright(const Surface& s) { return s.kind == SurfaceKind::kerb; }
+
+}  // namespace
+
 void BakeScene::add_ground(const City& city) {
+  std::size_t count = 0;
+  for (const Surface& s : city.surfaces) count += is_upright(s) ? 0 : s.triangles.size() / 3;
+  ground_.reserve(count);
   for (const Surface& s : city.surfaces) {
-    if (s.kind == SurfaceKind::kerb) continue;  // upright
+    if (is_upright(s)) continue;
     for (std::size_t i = 0; i + 2 < s.triangles.size(); i += 3) {
       BakeGround t;
-      PlanBox box;
-      KeyHash hash;
       t.kind = s.kind;
-      hash.add(static_cast<std::uint64_t>(s.kind));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const PlanPoint p = s.points.at(s.triangles[i + k]).at;
-        t.x[k] = metres(p.x);
-        t.y[k] = metres(p.y);
-        box.add(p);
-        hash.add(grid_key(p.x, p.y));
-      }
+      for (std::size_t k = 0; k < 3; ++k) t.at[k] = s.points.at(s.triangles[i + k]).at;
+      const PlanBox box = t.box();
       ground_grid_.add(box, static_cast<std::uint32_t>(ground_.size()));
       ground_.push_back(t);
-      ground_boxes_.push_back(box);
-      ground_keys_.push_back(hash.value());
       box_.add(box.min);
       box_.add(box.max);
     }
@@ -275,7 +281,7 @@ std::vector<std::uint32_t> BakeScene::houses_in(const PlanBox& box) const {
 
 std::vector<std::uint32_t> BakeScene::ground_in(const PlanBox& box) const {
   auto out = ground_grid_.find(box);
-  std::erase_if(out, [&](std::uint32_t i) { return !meet(ground_boxes_[i], box); });
+  std::erase_if(out, [&](std::uint32_t i) { return !meet(ground_[i].box(), box); });
   return out;
 }
 
@@ -290,7 +296,7 @@ std::vector<std::uint32_t> BakeScene::trees_in(const PlanBox& box) const {
 std::uint64_t BakeScene::key_of(const PlanBox& box) const {
   std::uint64_t sum = terrain_key_;  // a sum: the order of the houses in the city does not matter
   for (const std::uint32_t i : houses_in(box)) sum += houses_[i].key;
-  for (const std::uint32_t i : ground_in(box)) sum += ground_keys_[i];
+  for (const std::uint32_t i : ground_in(box)) sum += key_of_ground(ground_[i]);
   for (const std::uint32_t i : trees_in(box)) sum += trees_[i].key;
   KeyHash hash;
   hash.add(sum);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -57,9 +58,15 @@ struct BakeHouse {
   std::uint64_t key = 0;  ///< of all of this
 };
 
+/// A triangle of the ground. A large city has ten million: no more is kept of it than this.
 struct BakeGround {
-  double x[3], y[3];
+  std::array<PlanPoint, 3> at;
   SurfaceKind kind = SurfaceKind::pavement;
+  PlanBox box() const {
+    PlanBox out;
+    for (const PlanPoint p : at) out.add(p);
+    return out;
+  }
 };
 
 inline constexpr std::int32_t kGroundSquare_mm = 64'000;
@@ -110,8 +117,6 @@ class BakeScene {
   std::vector<BakeHouse> houses_;
   std::vector<BakeGround> ground_;
   std::vector<BakeTree> trees_;
-  std::vector<PlanBox> ground_boxes_;
-  std::vector<std::uint64_t> ground_keys_;
   Terrain terrain_;
   std::uint64_t terrain_key_ = 0;
   Grid house_grid_, ground_grid_, tree_grid_;

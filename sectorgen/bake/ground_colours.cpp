@@ -109,8 +109,9 @@ GroundColours::GroundColours(const BakeScene& scene, const TileFrame& frame, boo
     const BakeGround& g = scene.ground()[i];
     double x[3], y[3];
     for (int k = 0; k < 3; ++k) {
-      x[k] = (g.x[k] - frame.west_m()) * scale;
-      y[k] = (g.y[k] - frame.south_m()) * scale;
+      const PlanPoint p = g.at[static_cast<std::size_t>(k)];
+      x[k] = (metres(p.x) - frame.west_m()) * scale;
+      y[k] = (metres(p.y) - frame.south_m()) * scale;
     }
     const auto kind = static_cast<std::uint8_t>(static_cast<int>(g.kind) + 1);
     raster_triangle(x, y, n, n, [&](int column, int row) {

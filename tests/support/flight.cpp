@@ -214,7 +214,8 @@ void TrueCity::add_ground(const PlanBox& box) {
       const BakeGround& g = scene_.ground()[i];
       const auto face = static_cast<std::uint32_t>(faces_.size());
       faces_.push_back({-1, -1, -1, surface_colour(g.kind)});
-      add_triangle(add_point(g.x[0], g.y[0], 0), add_point(g.x[1], g.y[1], 0), add_point(g.x[2], g.y[2], 0), face);
+      const auto add = [&](PlanPoint p) { return add_point(metres(p.x), metres(p.y), 0); };
+      add_triangle(add(g.at[0]), add(g.at[1]), add(g.at[2]), face);
     }
     return;
   }
