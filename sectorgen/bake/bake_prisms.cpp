@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "city_db/z_order.hpp"
 #include "sectorgen/bake/prism_footprint.hpp"
 #include "sectorgen/bake/prism_roof.hpp"
 #include "sectorgen/bake/prism_trees.hpp"
-#include "city_db/z_order.hpp"
 
 namespace vicus {
 namespace {
