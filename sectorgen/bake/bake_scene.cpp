@@ -147,6 +147,19 @@ bool BakeScene::Grid::is_full(const PlanBox& box) const {
   return true;
 }
 
+namespace {
+
+/// A large city has hundreds of thousands of houses: no list keeps room to grow.
+void drop_slack(BakeHouse& house) {
+  house.planes.shrink_to_fit();
+  house.lit_roof.shrink_to_fit();
+  house.roof.shrink_to_fit();
+  house.walls.shrink_to_fit();
+  house.facades.shrink_to_fit();
+}
+
+}  // namespace
+
 std::function<std::string(const std::string&)> pictures_of(const City& city) {
   std::map<std::string, const std::string*> by_id;
   for (const Texture& t : city.textures) by_id.emplace(t.id, &t.png);
@@ -208,6 +221,7 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
       hash.add(static_cast<std::uint64_t>(f->repeats));
     }
     out.key = hash.value();
+    drop_slack(out);
     house_grid_.add(out.box, static_cast<std::uint32_t>(i));
     if (out.box.is_empty()) continue;
     box_.add(out.box.min);
