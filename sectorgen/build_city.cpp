@@ -48,9 +48,7 @@ void StageClock::begin(const char* stage) {
 
 void StageClock::end() {
   if (stage_ == nullptr) return;
-#ifdef __GLIBC__
   malloc_trim(0);  // what the stage's threads gave back: else it stays theirs, and the next stage asks for more
-#endif
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_;
   report_.stages.push_back({stage_, cpu_seconds() - cpu_, wall.count(), peak_resident_mb()});
   stage_ = nullptr;

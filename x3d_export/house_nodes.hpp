@@ -15,8 +15,8 @@ namespace vicus {
 inline constexpr double kLevelRanges_m[] = {30, 130, 250};
 
 /// A sector with more openings leaves the fourth level out, to stay below 200 kB as sent: all that a sector sends is
-/// 116 bytes an opening (in the middle of 3,016 sectors of Paris with 600 and more) to 188 (the most), most of them in
-/// the fourth level.
+/// 116 bytes an opening (in the middle of 3,016 sectors of Paris with 600 and more) to 188 (the most); without the
+/// fourth level, in Montmartre, 45.
 inline constexpr int kMostDeepOpenings = 1050;
 /// One with even more has the first level in place of the second: all that it sends is some 33 bytes an opening, half
 /// of them in the second level.

@@ -211,13 +211,12 @@ Node textured_shape(const std::string& image, const std::string& url, std::span<
 
 Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces, SharedPoints* points) {
   assert(!faces.empty());
-  Numbering<X3dPoint> own_number_of;
+  Numbering<X3dPoint> own_points;
   Numbering<Colour> number_of_colour;
   std::vector<std::int32_t> coord_index, color_index;
+  const auto number_of = [&](const X3dPoint& p) { return points ? (*points)(p) : own_points(p); };
   for (const Face& face : faces) {
-    for (int k = 0; k < face.count; ++k)
-      coord_index.push_back(points ? (*points)(face.corners[static_cast<std::size_t>(k)])
-                                   : own_number_of(face.corners[static_cast<std::size_t>(k)]));
+    for (int k = 0; k < face.count; ++k) coord_index.push_back(number_of(face.corners[static_cast<std::size_t>(k)]));
     coord_index.push_back(-1);
     color_index.push_back(number_of_colour(face.colour));
   }
@@ -230,7 +229,7 @@ Node shape_of(const std::string& def, Shading shading, std::span<const Face> fac
   if (shading == Shading::two_sided) geometry.set("solid", false);
   geometry.set("coordIndex", std::move(coord_index));
   if (is_coloured_by_face) geometry.set("colorPerVertex", false).set("colorIndex", std::move(color_index));
-  geometry.add("coord", points ? points->coordinate() : coordinate_of(own_number_of.items()));
+  geometry.add("coord", points ? points->coordinate() : coordinate_of(own_points.items()));
   Node color("Color");
   if (is_coloured_by_face) geometry.add("color", color.set("color", std::move(colours)));
   Node shape("Shape", def);

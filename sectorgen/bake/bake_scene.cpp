@@ -122,6 +122,24 @@ void hash_shape(const Building& house, KeyHash& hash) {
   hash.add(packed(house.roof_colour));
 }
 
+/// A large city has hundreds of thousands of houses: no list keeps room to grow.
+void drop_slack(BakeHouse& house) {
+  house.planes.shrink_to_fit();
+  house.lit_roof.shrink_to_fit();
+  house.roof.shrink_to_fit();
+  house.walls.shrink_to_fit();
+  house.facades.shrink_to_fit();
+}
+
+std::uint64_t key_of_ground(const BakeGround& g) {
+  KeyHash hash;
+  hash.add(static_cast<std::uint64_t>(g.kind));
+  for (const PlanPoint p : g.at) hash.add(grid_key(p.x, p.y));
+  return hash.value();
+}
+
+bool is_upright(const Surface& s) { return s.kind == SurfaceKind::kerb; }
+
 }  // namespace
 
 void BakeScene::Grid::add(const PlanBox& box, std::uint32_t item) {
@@ -146,19 +164,6 @@ bool BakeScene::Grid::is_full(const PlanBox& box) const {
       if (!cells_.contains(grid_key(x, y))) return false;
   return true;
 }
-
-namespace {
-
-/// A large city has hundreds of thousands of houses: no list keeps room to grow.
-void drop_slack(BakeHouse& house) {
-  house.planes.shrink_to_fit();
-  house.lit_roof.shrink_to_fit();
-  house.roof.shrink_to_fit();
-  house.walls.shrink_to_fit();
-  house.facades.shrink_to_fit();
-}
-
-}  // namespace
 
 std::function<std::string(const std::string&)> pictures_of(const City& city) {
   std::map<std::string, const std::string*> by_id;
@@ -235,19 +240,6 @@ BakeScene::BakeScene(const City& city, const std::function<std::string(const std
   for (const std::int32_t v : terrain_.height_mm) hash.add(static_cast<std::uint32_t>(v));
   terrain_key_ = hash.value();
 }
-
-namespace {
-
-std::uint64_t key_of_ground(const BakeGround& g) {
-  KeyHash hash;
-  hash.add(static_cast<std::uint64_t>(g.kind));
-  for (const PlanPoint p : g.at) hash.add(grid_key(p.x, p.y));
-  return hash.value();
-}
-
-bool is_upright(const Surface& s) { return s.kind == SurfaceKind::kerb; }
-
-}  // namespace
 
 void BakeScene::add_ground(const City& city) {
   std::size_t count = 0;

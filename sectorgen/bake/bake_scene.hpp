@@ -58,7 +58,7 @@ struct BakeHouse {
   std::uint64_t key = 0;  ///< of all of this
 };
 
-/// A triangle of the ground. A large city has ten million: no more is kept of it than this.
+/// A triangle of the ground. There are far more of them than of anything else: no more is kept of one than this.
 struct BakeGround {
   std::array<PlanPoint, 3> at;
   SurfaceKind kind = SurfaceKind::pavement;

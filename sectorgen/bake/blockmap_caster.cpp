@@ -140,7 +140,8 @@ CastHit BlockMapCaster::cast(const PlanRay& ray, double before) const {
                        dy != 0 ? number(1 / dy) : big};
   const float end = number(std::min(leave - enter, 1e30));
   int column = std::clamp(static_cast<int>(x), 0, side_ - 1), row = std::clamp(static_cast<int>(y), 0, side_ - 1);
-  // Not from the largest square: its top is where the ray comes in. As large as the way from there to the ground.
+  // Not from the largest square: its top is where the ray comes in. As large as a quarter of the way from there to the
+  // ground.
   const float to_ground = local.dz < 0 ? std::min(end, -std::max(local.z, 0.0f) / local.dz) : end;
   const float way = std::min(to_ground * std::max(std::abs(local.dx), std::abs(local.dy)), static_cast<float>(side_));
   const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(way)));

@@ -127,8 +127,13 @@ void CellFitter::collect(std::size_t cell) {
   sort_by_height();
 }
 
-/// Stable. A few parts, mostly in order: no memory is asked for.
+/// Stable. A few parts are mostly in order: for them no memory is asked for.
 void CellFitter::sort_by_height() {
+  constexpr std::size_t kFew = 24;
+  if (parts_.size() > kFew) {
+    std::stable_sort(parts_.begin(), parts_.end(), [](const Part& p, const Part& q) { return p.mean_up < q.mean_up; });
+    return;
+  }
   for (std::size_t i = 1; i < parts_.size(); ++i) {
     if (parts_[i].mean_up >= parts_[i - 1].mean_up) continue;
     const Part part = parts_[i];

@@ -33,6 +33,7 @@ class FacadeSums {
   /// Needs   u0 < u1, 0 <= v0 < v1 <= 1.
   ColourMean mean(double u0, double u1, double v0, double v1) const;
   /// Integral of the mean over [u0, u1] from the picture's foot up to v: of two rows that meet, each side once.
+  /// Needs   u0 < u1, 0 <= v <= 1.
   ColourMean strip(double u0, double u1, double v) const;
   ColourMean at(double u, double v) const;
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cassert>
 #include <vector>
 
 #include "city_db/colour.hpp"
@@ -69,6 +70,7 @@ class NoiseLine {
   NoiseLine(double y, double most_x, unsigned seed);
   double operator()(double x) const {
     const auto cell = static_cast<std::size_t>(x);
+    assert(x >= 0 && cell + 1 < at_.size());
     const double t = x - static_cast<double>(cell);
     return at_[cell] + (at_[cell + 1] - at_[cell]) * (t * t * (3 - 2 * t));
   }

@@ -97,20 +97,20 @@ void find_landmarks(const WalkMesh& walk, const HeadOn& head_on, SightGraph& gra
 std::uint32_t append_by_wedge(const SightGraph& graph, const SightGraph::Corner& corner,
                               const std::vector<std::uint32_t>& points, std::vector<std::uint32_t>& out) {
   const PlanPoint at = corner.at;
-  // `start`: where the wedge begins. It is no wider than a half turn, but may be that.
-  const auto append = [&](auto is_in, PlanPoint start, double sign) {
+  // The first wedge begins along the right wall (sign 1), the second opposite to it (-1). One may be a half turn wide.
+  const auto append = [&](auto is_in, int sign) {
     const std::size_t first = out.size();
     for (const std::uint32_t p : points)
       if (const std::uint32_t n = graph.node_of[p]; is_in(graph.corner[n].at)) out.push_back(n);
     std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), [&](std::uint32_t m, std::uint32_t n) {
       const PlanPoint p = graph.corner[m].at, q = graph.corner[n].at;
       if (const auto turn = orient(at, p, q); turn != 0) return turn > 0;
-      return dot(at, p, q) < 0 && sign * static_cast<double>(dot(at, p, start)) > 0;
+      return dot(at, p, q) < 0 && sign * dot(at, p, corner.right_wall) > 0;
     });
     return static_cast<std::uint32_t>(out.size() - first);
   };
-  const std::uint32_t count = append([&](PlanPoint p) { return corner.has_in_first(p); }, corner.right_wall, 1);
-  append([&](PlanPoint p) { return corner.has_in_second(p); }, corner.right_wall, -1);
+  const std::uint32_t count = append([&](PlanPoint p) { return corner.has_in_first(p); }, 1);
+  append([&](PlanPoint p) { return corner.has_in_second(p); }, -1);
   return count;
 }
 
