@@ -16,8 +16,6 @@ Vec towards(PlanPoint a, PlanPoint b) {
   return length > 0 ? Vec{dx / length, dy / length} : Vec{};
 }
 
-double length(PlanPoint a, PlanPoint b) { return std::hypot(double(b.x) - a.x, double(b.y) - a.y); }
-
 }  // namespace
 
 std::vector<RoundedPoint> round_bends(const Walk& walk) {
@@ -37,7 +35,7 @@ std::vector<RoundedPoint> round_bends(const Walk& walk) {
   add(points.front().x, points.front().y, 0);
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const PlanPoint p = points[i];
-    const double before = length(points[i - 1], p), after = length(p, points[i + 1]);
+    const double before = straight_mm(points[i - 1], p), after = straight_mm(p, points[i + 1]);
     straight += before;
     const Vec in = towards(points[i - 1], p), out = towards(p, points[i + 1]);
     const double turn = std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y);
@@ -60,7 +58,7 @@ std::vector<RoundedPoint> round_bends(const Walk& walk) {
           centre.y + from.x * std::sin(angle) + from.y * std::cos(angle), straight - reach + 2 * reach * s / steps);
     }
   }
-  straight += points.size() > 1 ? length(points[points.size() - 2], points.back()) : 0;
+  straight += points.size() > 1 ? straight_mm(points[points.size() - 2], points.back()) : 0;
   add(points.back().x, points.back().y, straight);
   if (rounded.size() == 1) rounded.push_back(rounded.front());
   return rounded;

@@ -9,13 +9,7 @@
 namespace vicus {
 namespace {
 
-constexpr double kFollowed = -1;
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-double length(PlanPoint a, PlanPoint b) {  // squares of lattice differences are far from overflow: no hypot
-  const double x = double(b.x) - a.x, y = double(b.y) - a.y;
-  return std::sqrt(x * x + y * y);
-}
 
 /// Where the line a -> b crosses the side p -> q, as a share of the way; between 0 and 1.
 double share_at(PlanPoint a, PlanPoint b, PlanPoint p, PlanPoint q) {
@@ -26,39 +20,10 @@ double share_at(PlanPoint a, PlanPoint b, PlanPoint p, PlanPoint q) {
 }  // namespace
 
 ShortestWalk::ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph)
-    : walk_(walk), places_(places), graph_(graph), sight_(walk), reached_(graph.point.size()) {}
+    : walk_(walk), places_(places), graph_(graph), sight_(walk), search_(graph) {}
 
-/// No walk from there to `to` is shorter.
-double ShortestWalk::rest_from(std::uint32_t node) const {
-  double rest = length(graph_.corner[node].at, to_);
-  const auto& from = graph_.from_landmark[node];
-  for (std::size_t l = 0; l < graph_.landmarks; ++l) {
-    const double beyond = to_landmark_[l] - static_cast<double>(from[l]);
-    const double differ = (is_whole_ ? std::abs(beyond) : beyond) - kLandmarkSlack_mm;
-    if (differ > rest && differ < kFar) rest = differ;
-  }
-  return rest;
-}
-
-void ShortestWalk::reach(std::uint32_t node, double mm, std::uint32_t before) {
-  Reached& r = reached_[node];
-  if (r.query == query_ && r.mm <= mm) return;
-  const double f = mm + rest_from(node);
-  if (f >= best_mm_) return;
-  r.query = query_;
-  r.before = before;
-  r.mm = mm;
-  r.least_mm = f;
-  queue_.emplace_back(-f, node);
-  std::push_heap(queue_.begin(), queue_.end());
-  if (r.sees_to != query_) return;
-  if (const double whole = mm + length(graph_.corner[node].at, to_); whole < best_mm_) {
-    best_mm_ = whole;
-    last_ = node;
-  }
-}
-
-/// Is the ground at `to` in one piece? If not (a corner where walls meet), no walk goes over `to` from piece to piece.
+/// Is the ground at a place in one piece? If not (a corner where walls meet), no walk leads over it from piece to
+/// piece.
 bool ShortestWalk::is_one_piece(const std::vector<std::uint32_t>& standing) const {
   std::vector<std::uint32_t> joined{standing.front()};
   for (std::size_t i = 0; i < joined.size(); ++i)
@@ -76,57 +41,30 @@ void ShortestWalk::let_into_alleys(const std::vector<std::uint32_t>& triangles) 
   for (const std::uint32_t first : triangles)
     for (std::uint32_t t = first; walk_.way_out[t] != kNone; t = walk_.way_out[t])
       for (int k = 0; k < 3; ++k)
-        if (const std::uint32_t node = graph_.node_of[walk_.mesh.corner(t, k)]; node != kNone)
-          reached_[node].let_in = query_;
+        if (const std::uint32_t node = graph_.node_of[walk_.mesh.corner(t, k)]; node != kNone) search_.let_in(node);
 }
 
-/// false: no way. Fills best_mm_ and last_.
-bool ShortestWalk::search(PlanPoint from, std::uint64_t& steps) {
-  best_mm_ = kFar;
-  last_ = kNone;
-  queue_.clear();
-  for (const std::uint32_t c : sight_.corners())
-    if (const std::uint32_t n = graph_.node_of[c]; !graph_.corner[n].is_blind || reached_[n].let_in == query_)
-      reach(n, length(from, walk_.mesh.points[c]), kNone);
-  while (!queue_.empty()) {
-    const auto [minus_f, node] = queue_.front();
-    if (-minus_f >= best_mm_) break;
-    std::pop_heap(queue_.begin(), queue_.end());
-    queue_.pop_back();
-    Reached& reached = reached_[node];
-    if (-minus_f > reached.least_mm) continue;  // reached on a shorter way, or followed on, since
-    reached.least_mm = kFollowed;
-    const double mm = reached.mm;
-    const auto& corner = graph_.corner[node];
-    const std::uint32_t before = reached.before;
-    const PlanPoint in = before == kNone ? from : graph_.corner[before].at, at = corner.at;
-    const auto follow = [&](std::uint32_t first, std::uint32_t end) {
-      steps += end - first;
-      for (std::uint32_t e = first; e < end; ++e) {
-        const std::uint32_t n = graph_.neighbour[e];
-        const Reached& there = reached_[n];
-        if (there.query == query_ && there.mm <= mm) continue;
-        if (graph_.corner[n].is_blind && there.let_in != query_) continue;
-        reach(n, mm + length(at, graph_.corner[n].at), node);
-      }
-    };
-    // Straight on, or to that side of it; which may be back, along the other side of a wall without breadth.
-    const auto is_on = [&](std::uint32_t n, int side) {
-      const PlanPoint next = graph_.corner[n].at, wall = side > 0 ? corner.left_wall : corner.right_wall;
-      const std::int64_t turn = side * orient(in, at, next);
-      return turn > 0 || (turn == 0 && (dot(at, in, next) < 0 || dot(at, wall, next) > 0));
-    };
-    const auto edge = [&](std::uint32_t e) { return graph_.neighbour.begin() + e; };
-    const auto first_of = [&](auto found) { return static_cast<std::uint32_t>(found - graph_.neighbour.begin()); };
-    const std::uint32_t first = graph_.begin[node], second = graph_.second[node], end = graph_.begin[node + 1];
-    if (corner.has_in_first(in))
-      follow(first_of(std::partition_point(edge(second), edge(end), [&](std::uint32_t n) { return !is_on(n, 1); })),
-             end);
-    if (corner.has_in_second(in))
-      follow(first,
-             first_of(std::partition_point(edge(first), edge(second), [&](std::uint32_t n) { return is_on(n, -1); })));
+/// Which corners see the end of a walk, how far it is from the landmarks.
+void ShortestWalk::look_from(PlanPoint p, const std::vector<std::uint32_t>& triangles, WalkEnd& end) {
+  end.at = p;
+  end.is_whole = is_one_piece(triangles);
+  end.seen.clear();
+  end.from_landmark.fill(kFar);
+  sight_.look_round(p, triangles);
+  const auto tell_landmarks = [&](std::uint32_t c) {
+    const double mm = straight_mm(walk_.mesh.points[c], p);
+    for (std::size_t l = 0; l < graph_.landmarks; ++l)
+      end.from_landmark[l] = std::min(end.from_landmark[l], graph_.from_landmark[graph_.node_of[c]][l] + mm);
+  };
+  for (const std::uint32_t c : sight_.corners()) {
+    end.seen.push_back(graph_.node_of[c]);
+    tell_landmarks(c);
   }
-  return last_ != kNone;
+  for (const std::uint32_t c : sight_.met_head_on()) tell_landmarks(c);  // it may be a landmark
+  for (const std::uint32_t t : triangles)
+    for (int k = 0; k < 3; ++k)  // or `p` stands on one
+      if (const std::uint32_t c = walk_.mesh.corner(t, k); walk_.mesh.points[c] == p && graph_.node_of[c] != kNone)
+        tell_landmarks(c);
 }
 
 std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
@@ -135,44 +73,20 @@ std::optional<Walk> ShortestWalk::find(PlanPoint from, PlanPoint to) {
   for (const std::uint32_t f : from_triangles)
     for (const std::uint32_t t : to_triangles) is_connected |= walk_.part[f] == walk_.part[t];
   if (!is_connected) return std::nullopt;
-  if (++query_ == 0) {  // the counter has gone round
-    std::fill(reached_.begin(), reached_.end(), Reached{});
-    query_ = 1;
-  }
-  to_ = to;
-  is_whole_ = is_one_piece(to_triangles);
+  search_.begin();
   let_into_alleys(from_triangles);
   let_into_alleys(to_triangles);
-  // From the end: which corners see it, how far it is from the landmarks.
   sight_.watch_for(from, from_triangles);
-  sight_.look_round(to, to_triangles);
+  look_from(to, to_triangles, to_);
   if (sight_.has_seen_goal() || from == to) return walk_along({from, to}, {});
-  to_landmark_.fill(kFar);
-  const auto tell_landmarks = [&](std::uint32_t c) {
-    const double mm = length(walk_.mesh.points[c], to);
-    for (std::size_t l = 0; l < graph_.landmarks; ++l)
-      to_landmark_[l] = std::min(to_landmark_[l], static_cast<double>(graph_.from_landmark[graph_.node_of[c]][l]) + mm);
-  };
-  for (const std::uint32_t c : sight_.corners()) {
-    reached_[graph_.node_of[c]].sees_to = query_;
-    tell_landmarks(c);
-  }
-  for (const std::uint32_t c : sight_.met_head_on()) tell_landmarks(c);  // it may be a landmark
-  for (const std::uint32_t t : to_triangles)
-    for (int k = 0; k < 3; ++k)  // or `to` stands on one
-      if (const std::uint32_t c = walk_.mesh.corner(t, k); walk_.mesh.points[c] == to && graph_.node_of[c] != kNone)
-        tell_landmarks(c);
-  sight_.look_round(from, from_triangles);
-  std::uint64_t steps = 0;
-  if (!search(from, steps)) return std::nullopt;
-  std::vector<std::uint32_t> nodes;
-  for (std::uint32_t n = last_; n != kNone; n = reached_[n].before) nodes.push_back(n);
-  std::reverse(nodes.begin(), nodes.end());
+  look_from(from, from_triangles, from_);
+  const auto nodes = search_.find(from_, to_);
+  if (nodes.empty()) return std::nullopt;
   std::vector<PlanPoint> points{from};
   for (const std::uint32_t n : nodes) points.push_back(walk_.mesh.points[graph_.point[n]]);
   points.push_back(to);
   Walk walk = walk_along(points, nodes);
-  walk.steps = steps;
+  walk.steps = search_.steps();
   return walk;
 }
 
@@ -232,10 +146,10 @@ Walk ShortestWalk::walk_along(const std::vector<PlanPoint>& points, const std::v
       const auto& first = way.front();
       turn_to(walk_.mesh.triangles[first.triangle].neighbour[static_cast<std::size_t>(first.side)], i);
       for (const auto& [t, side] : way)
-        enter(t, walk.length_mm + share_at(a, b, walk_.at(t, side + 1), walk_.at(t, side + 2)) * length(a, b));
+        enter(t, walk.length_mm + share_at(a, b, walk_.at(t, side + 1), walk_.at(t, side + 2)) * straight_mm(a, b));
       in = way.back().triangle;
     }
-    walk.length_mm += length(a, b);
+    walk.length_mm += straight_mm(a, b);
   }
   return walk;
 }

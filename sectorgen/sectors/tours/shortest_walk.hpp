@@ -1,12 +1,10 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "sectorgen/sectors/tours/sight_graph.hpp"
 #include "sectorgen/sectors/tours/walk_places.hpp"
+#include "sectorgen/sectors/tours/walk_search.hpp"
 
 /// The shortest walk between two places on the ground.
 namespace vicus {
@@ -31,9 +29,9 @@ struct Walk {
 ///         of square roots in double (relative error < 1e-12). Touching walls is allowed (closed semantics); where two
 ///         pieces of ground meet in a point only, nobody passes.
 /// Proof   a shortest walk is taut: straight between corners, each of its lines touches both its corners. From `from`
-///         and `to` all such corners are looked for, between corners they are the graph's edges. A* along them, with
-///         lower bounds (straight line, landmarks) that never exceed the walk still to go, ends with the shortest. It
-///         goes into blind alleys only where the walk begins or ends in them, and turns only towards walls it touches.
+///         and `to` all such corners are looked for, between corners they are the graph's edges, and the search along
+///         them ends with the shortest (WalkSearch). It goes into blind alleys only where the walk begins or ends in
+///         them, and turns only towards walls it touches.
 class ShortestWalk {
  public:
   ShortestWalk(const WalkMesh& walk, const WalkPlaces& places, const SightGraph& graph);
@@ -42,33 +40,17 @@ class ShortestWalk {
   std::optional<Walk> find(PlanPoint from, PlanPoint to);
 
  private:
-  /// A node in the search. Of an earlier query than query_: nothing.
-  struct alignas(32) Reached {
-    std::uint32_t query = 0, before = kNone;
-    double mm = 0;
-    double least_mm = 0;        ///< of a whole walk this way; -1: followed on already
-    std::uint32_t sees_to = 0;  ///< the query in which it sees `to`
-    std::uint32_t let_in = 0;   ///< in a blind alley: the query that begins or ends in there
-  };
-  double rest_from(std::uint32_t node) const;
-  void reach(std::uint32_t node, double mm, std::uint32_t before);
   bool is_one_piece(const std::vector<std::uint32_t>& standing) const;
   void let_into_alleys(const std::vector<std::uint32_t>& triangles);
-  bool search(PlanPoint from, std::uint64_t& steps);
+  void look_from(PlanPoint p, const std::vector<std::uint32_t>& triangles, WalkEnd& end);
   Walk walk_along(const std::vector<PlanPoint>& points, const std::vector<std::uint32_t>& nodes);
 
   const WalkMesh& walk_;
   const WalkPlaces& places_;
   const SightGraph& graph_;
   Sight sight_;
-  PlanPoint to_;
-  bool is_whole_ = true;  // the ground at `to` is one piece
-  std::array<double, kLandmarks> to_landmark_{};
-  std::uint32_t query_ = 0;
-  std::vector<Reached> reached_;  // per node
-  std::vector<std::pair<double, std::uint32_t>> queue_;
-  double best_mm_ = 0;          // of a walk to `to`
-  std::uint32_t last_ = kNone;  // its last corner
+  WalkSearch search_;
+  WalkEnd from_, to_;
 };
 
 }  // namespace vicus

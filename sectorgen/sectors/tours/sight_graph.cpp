@@ -15,11 +15,6 @@ namespace {
 constexpr std::size_t kBatch = 256;  // corners that one thread takes at a time
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-double length(PlanPoint a, PlanPoint b) {
-  const double x = double(b.x) - a.x, y = double(b.y) - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 /// Per node, the nodes from which it is met head on: no edge leads there, but a shortest walk may end there.
 struct HeadOn {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> from_to;
@@ -42,19 +37,19 @@ std::vector<double> walks_from(const WalkMesh& walk, const SightGraph& graph, co
   for (std::uint32_t t = walk.corners[node].triangle; t != kNone; t = turned_left(walk, t, j)) standing.push_back(t);
   Sight sight(walk);
   sight.look_round(at(node), standing);
-  for (const std::uint32_t c : sight.corners()) reach(graph.node_of[c], length(at(node), walk.mesh.points[c]));
+  for (const std::uint32_t c : sight.corners()) reach(graph.node_of[c], straight_mm(at(node), walk.mesh.points[c]));
   while (!queue.empty()) {
     const auto [mm, n] = queue.top();
     queue.pop();
     if (mm > least[n]) continue;
     for (std::uint32_t e = graph.begin[n]; e < graph.begin[n + 1]; ++e)
-      reach(graph.neighbour[e], mm + length(at(n), at(graph.neighbour[e])));
+      reach(graph.neighbour[e], mm + straight_mm(at(n), at(graph.neighbour[e])));
   }
   const auto touched = least;
   for (const auto& [from, to] : head_on.from_to)
-    least[to] = std::min(least[to], touched[from] + length(at(from), at(to)));
+    least[to] = std::min(least[to], touched[from] + straight_mm(at(from), at(to)));
   for (const std::uint32_t c : sight.met_head_on())
-    least[graph.node_of[c]] = std::min(least[graph.node_of[c]], length(at(node), walk.mesh.points[c]));
+    least[graph.node_of[c]] = std::min(least[graph.node_of[c]], straight_mm(at(node), walk.mesh.points[c]));
   least[node] = 0;
   return least;
 }
@@ -89,7 +84,7 @@ void find_landmarks(const WalkMesh& walk, const HeadOn& head_on, SightGraph& gra
   graph.landmarks = rim.size();
   run_parallel(rim.size(), thread_count(0), [&](std::size_t l, unsigned) {
     const auto from = walks_from(walk, graph, head_on, rim[l]);
-    for (std::size_t n = 0; n < from.size(); ++n) graph.from_landmark[n][l] = static_cast<float>(from[n]);
+    for (std::size_t n = 0; n < from.size(); ++n) graph.from_landmark[n][l] = from[n];
   });
 }
 

@@ -33,15 +33,12 @@ struct SightGraph {
   std::vector<std::uint32_t> begin, second, neighbour;
   /// Shortest walks from some corners far out to each node, mm; infinite where there is none. For lower bounds: two
   /// places are no nearer to each other than their distances from a third differ.
-  std::vector<std::array<float, kLandmarks>> from_landmark;
+  std::vector<std::array<double, kLandmarks>> from_landmark;
   std::size_t landmarks = 0;
 };
 
-/// Error   from_landmark: rounded to float, below kLandmarkSlack_mm.
 /// Cost    sides seen from all corners, then kLandmarks times all edges; shared out to all cores.
 /// Source  landmarks: Goldberg & Harrelson, "Computing the shortest path: A* search meets graph theory", SODA 2005.
 SightGraph make_sight_graph(const WalkMesh& walk);
-
-inline constexpr double kLandmarkSlack_mm = 4;  ///< floats of up to 2^25 mm (33 km) are whole multiples of 2 mm
 
 }  // namespace vicus

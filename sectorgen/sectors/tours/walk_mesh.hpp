@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -7,6 +8,12 @@
 
 /// The ground one can walk on, as triangles: what shortest walks are found in.
 namespace vicus {
+
+/// Squares of lattice differences are far from overflow: no hypot.
+inline double straight_mm(PlanPoint a, PlanPoint b) {
+  const double x = double(b.x) - a.x, y = double(b.y) - a.y;
+  return std::sqrt(x * x + y * y);
+}
 
 /// A place that a walk keeps off: a wedge with its point on a wall's corner (corner_caps.hpp). The walk may bend at
 /// the points of the rim, and be rounded there with that radius.
