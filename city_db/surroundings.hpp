@@ -34,9 +34,13 @@ inline double light_on(double east, double north, double up) {
   return sum;
 }
 
-/// Sky: colours at these angles from straight up (the first: 0); ground: from straight down.
-inline constexpr double kSkyAngles[] = {0.9, 1.57}, kGroundAngles[] = {1.3, 1.57};
-inline constexpr Colour kSkyColours[] = {{92, 141, 196}, {150, 186, 220}, kSkyColour};
+/// Sky: colours at these angles from straight up (the first: 0); ground: from straight down. The sky's go from the
+/// first to the last as the square of the angle's sine, in steps so small that browsers, which draw a few straight
+/// strips, show no edge between them.
+inline constexpr double kSkyAngles[] = {0.25, 0.45, 0.65, 0.85, 1.05, 1.25, 1.4, 1.57}, kGroundAngles[] = {1.3, 1.57};
+inline constexpr Colour kSkyColours[] = {{92, 141, 196},  {98, 145, 198},  {112, 155, 202},
+                                         {130, 167, 208}, {151, 182, 214}, {170, 195, 220},
+                                         {186, 206, 225}, {193, 211, 227}, kSkyColour};
 inline constexpr Colour kGroundColours[] = {{120, 118, 112}, {150, 150, 146}, kSkyColour};
 
 /// rad, of the smaller side of a view: in a narrow street one sees the eaves and the ground at once.

@@ -30,6 +30,7 @@ const std::vector<NodeSpec>& node_specs() {
        true,
        {{"skyAngle", mf_float}, {"skyColor", mf_color}, {"groundAngle", mf_float}, {"groundColor", mf_color}}},
       {"Color", "Rendering", 1, "color", true, {{"color", mf_color}}},
+      {"ColorRGBA", "Rendering", 1, "color", false, {{"color", mf_color_rgba}}},
       {"ComposedShader", "Shaders", 1, "shaders", false, {{"language", sf_string}, {"parts", mf_node}}},
       {"Coordinate", "Rendering", 1, "coord", true, {{"point", mf_vec3f}}},
       {"DirectionalLight",
@@ -145,14 +146,16 @@ struct TypeSpec {
 };
 
 // Colours come from 8 bits: 3 decimals give them back. Coordinates come from the lattice: millimetres.
-constexpr TypeSpec kTypes[] = {
-    {sf_bool, "SFBool", 1, 0},         {sf_string, "SFString", 1, 0},     {mf_string, "MFString", 1, 0},
-    {sf_float, "SFFloat", 1, 6},       {sf_vec2f, "SFVec2f", 2, 3},       {sf_vec3f, "SFVec3f", 3, 3},
-    {sf_rotation, "SFRotation", 4, 6}, {sf_color, "SFColor", 3, 3},       {mf_float, "MFFloat", 1, 6},
-    {mf_double, "MFDouble", 1, 3},     {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},
-    {mf_vec3f, "MFVec3f", 3, 3},       {mf_vec3d, "MFVec3d", 3, 3},       {mf_color, "MFColor", 3, 3},
-    {mf_int32, "MFInt32", 1, 0},       {sf_image, "SFImage", 1, 0},       {sf_node, "SFNode", 1, 0},
-    {mf_node, "MFNode", 1, 0}};
+constexpr TypeSpec kTypes[] = {{sf_bool, "SFBool", 1, 0},         {sf_string, "SFString", 1, 0},
+                               {mf_string, "MFString", 1, 0},     {sf_float, "SFFloat", 1, 6},
+                               {sf_vec2f, "SFVec2f", 2, 3},       {sf_vec3f, "SFVec3f", 3, 3},
+                               {sf_rotation, "SFRotation", 4, 6}, {sf_color, "SFColor", 3, 3},
+                               {mf_float, "MFFloat", 1, 6},       {mf_double, "MFDouble", 1, 3},
+                               {mf_rotation, "MFRotation", 4, 6}, {mf_vec2f, "MFVec2f", 2, 4},
+                               {mf_vec3f, "MFVec3f", 3, 3},       {mf_vec3d, "MFVec3d", 3, 3},
+                               {mf_color, "MFColor", 3, 3},       {mf_color_rgba, "MFColorRGBA", 4, 3},
+                               {mf_int32, "MFInt32", 1, 0},       {sf_image, "SFImage", 1, 0},
+                               {sf_node, "SFNode", 1, 0},         {mf_node, "MFNode", 1, 0}};
 
 const TypeSpec& type_spec(FieldType type) {
   return *std::find_if(std::begin(kTypes), std::end(kTypes), [type](const TypeSpec& t) { return t.type == type; });

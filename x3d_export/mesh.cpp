@@ -237,4 +237,37 @@ Node shape_of(const std::string& def, Shading shading, std::span<const Face> fac
   return shape.add("geometry", std::move(geometry));
 }
 
+Node fading_shape(const std::string& def, std::span<const Face> faces) {
+  assert(!faces.empty());
+  constexpr std::int32_t kWholeBelow = 4;  // a quarter
+  Numbering<X3dPoint> number_of_point;
+  std::vector<std::int32_t> coord_index;
+  std::vector<double> colours;
+  // Black is what the lights fall on: the material shines by itself.
+  const auto number = [&](const X3dPoint& p, double opacity) {
+    const std::int32_t n = number_of_point(p);
+    if (4 * static_cast<std::size_t>(n) == colours.size()) colours.insert(colours.end(), {0, 0, 0, opacity});
+    return n;
+  };
+  for (const Face& face : faces) {
+    assert(face.count == 4 && face.colour == faces.front().colour);
+    const auto& c = face.corners;
+    const auto between = [&](std::size_t low, std::size_t high) {
+      X3dPoint p = c[low];
+      p.y += (c[high].y - c[low].y) / kWholeBelow;
+      return number(p, 1);
+    };
+    const std::int32_t left_foot = number(c[0], 1), right_foot = number(c[1], 1), right = between(1, 2),
+                       left = between(0, 3), right_top = number(c[2], 0), left_top = number(c[3], 0);
+    coord_index.insert(coord_index.end(),
+                       {left_foot, right_foot, right, left, -1, left, right, right_top, left_top, -1});
+  }
+  Node geometry("IndexedFaceSet"), color("ColorRGBA");
+  geometry.set("coordIndex", std::move(coord_index)).add("coord", coordinate_of(number_of_point.items()));
+  geometry.add("color", color.set("color", std::move(colours)));
+  Node shape("Shape", def);
+  shape.add("appearance", appearance_of(Shading::backdrop, faces.front().colour, false));
+  return shape.add("geometry", std::move(geometry));
+}
+
 }  // namespace vicus

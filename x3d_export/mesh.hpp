@@ -81,6 +81,11 @@ std::string texture_url(const std::string& id);
 /// Needs   !faces.empty() (assert).
 Node shape_of(const std::string& def, Shading shading, std::span<const Face> faces, SharedPoints* points = nullptr);
 
+/// Upright walls of four corners, all of one colour, not lit, whole below and fading into what is behind them towards
+/// their tops. In VRML97, which has no such colours, they end all at once.
+/// Needs   !faces.empty() (assert).
+Node fading_shape(const std::string& def, std::span<const Face> faces);
+
 /// A Shape under one image. Its Appearance's DEF is "IMAGE-" + `image`: equal ones in a file can be USEd.
 /// Needs   !faces.empty() (assert).
 Node textured_shape(const std::string& image, const std::string& url, std::span<const TexturedFace> faces,

@@ -37,6 +37,7 @@ enum class FieldType {
   mf_vec3f,
   mf_vec3d,
   mf_color,
+  mf_color_rgba,
   mf_int32,
   sf_image,
   sf_node,

@@ -81,10 +81,13 @@ SizedNode sized(Node node, SceneFormat format) {
   return {std::move(node), size};
 }
 
-Node layer_shape(const Layer& layer, std::span<const Face> faces) {
-  if (!layer.grain.empty()) return grained_shape(layer.name, faces, texture_url(layer.grain));
+/// Each slice has a name of its own: of two Shapes of one name a file holds the first alone (share_equals).
+Node layer_shape(const Layer& layer, std::span<const Face> faces, std::size_t slice) {
+  const std::string name = slice == 0 ? layer.name : layer.name + "-" + std::to_string(slice + 1);
+  if (layer.shading == Shading::backdrop) return fading_shape(name, faces);
+  if (!layer.grain.empty()) return grained_shape(name, faces, texture_url(layer.grain));
   const bool has_windows = std::any_of(faces.begin(), faces.end(), [](const Face& face) { return face.bays > 0; });
-  return has_windows ? windowed_shape(layer.name, faces) : shape_of(layer.name, layer.shading, faces);
+  return has_windows ? windowed_shape(name, faces) : shape_of(name, layer.shading, faces);
 }
 
 /// A layer as Shapes, in as many slices as it takes that none is larger than `limit`.
@@ -96,7 +99,7 @@ std::vector<SizedNode> shapes_of(const Layer& layer, SceneFormat format, std::si
     for (std::size_t i = 0; i < count && fits; ++i) {
       const std::span<const Face> faces(layer.faces.data() + n * i / count, layer.faces.data() + n * (i + 1) / count);
       if (faces.empty()) continue;
-      shapes.push_back(sized(layer_shape(layer, faces), format));
+      shapes.push_back(sized(layer_shape(layer, faces, i), format));
       fits = faces.size() == 1 || shapes.back().size <= limit;
       if (!fits) count = std::max(count, std::min(n, shapes.back().size * count / limit));
     }

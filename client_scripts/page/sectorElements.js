@@ -6,16 +6,18 @@ export function recordOfElements(root) {
     return metadata ? recordFromMetadata(metadataTree(metadata)) : null;
 }
 
-/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. */
+/** The triangles of the ground in plan millimetres, for GroundHeights; null where the file has none. A large ground comes in slices. */
 export function groundOfElements(root, origin) {
-    const geometry = root.querySelector('[DEF="GROUND"] > IndexedFaceSet, [DEF="GROUND"] > indexedfaceset');
+    const slices = root.querySelectorAll('[DEF^="GROUND"] > IndexedFaceSet, [DEF^="GROUND"] > indexedfaceset');
     const numbers = (node, name) => (node?.getAttribute(name) ?? '').trim().split(/[\s,]+/).map(Number);
-    const coordinates = numbers(geometry?.querySelector('Coordinate, coordinate'), 'point');
-    if (!origin || coordinates.length < 9) return null;
-    const points = [];
-    for (let i = 0; i + 2 < coordinates.length; i += 3)
-        points.push([1000 * (origin[0] + coordinates[i]), 1000 * (origin[1] - coordinates[i + 2]), 1000 * coordinates[i + 1]]);
-    return { points, triangles: numbers(geometry, 'coordIndex').filter(index => index >= 0) };
+    const points = [], triangles = [];
+    for (const geometry of origin ? slices : []) {
+        const coordinates = numbers(geometry.querySelector('Coordinate, coordinate'), 'point'), first = points.length;
+        for (let i = 0; i + 2 < coordinates.length; i += 3)
+            points.push([1000 * (origin[0] + coordinates[i]), 1000 * (origin[1] - coordinates[i + 2]), 1000 * coordinates[i + 1]]);
+        for (const index of numbers(geometry, 'coordIndex')) if (index >= 0) triangles.push(first + index);
+    }
+    return points.length < 3 ? null : { points, triangles };
 }
 
 /** Metadata elements -> { name, value } as recordFromMetadata reads them. */

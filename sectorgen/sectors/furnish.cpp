@@ -11,6 +11,7 @@ namespace vicus {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kMuchMore = 2;  // ground of the city behind a visitor than before him
 
 /// The cell at p, or near it: shops and doors are mapped inside houses or on their walls.
 std::uint32_t cell_near(const Plan& plan, const Locator& locator, PlanPoint p) {
@@ -34,7 +35,44 @@ std::string object_id(const std::string& source_id) {
 struct Stand {
   std::int64_t distance = 0;
   PlanPoint at;
-  double heading_deg = 0;
+  double east = 0, north = 0;  // unit vector
+};
+
+/// How much ground of the city lies before an eye, as far as one sees in a street.
+class GroundAround {
+ public:
+  explicit GroundAround(const std::vector<Sector>& sectors) : sectors_(sectors) {
+    for (const Sector& s : sectors) {
+      at_[square_of(s.origin)].push_back(static_cast<std::uint32_t>(area_m2_.size()));
+      area_m2_.push_back(area_m2(s.ground));
+    }
+  }
+
+  /// m2 of sectors whose origins lie within 45 degrees of that way.
+  double before(const Stand& stand) const {
+    const auto [column, row] = square_of(stand.at);
+    double sum = 0;
+    for (std::int32_t c = column - 1; c <= column + 1; ++c)
+      for (std::int32_t r = row - 1; r <= row + 1; ++r) {
+        const auto square = at_.find({c, r});
+        if (square == at_.end()) continue;
+        for (const std::uint32_t i : square->second) {
+          const double x = double(sectors_[i].origin.x) - stand.at.x, y = double(sectors_[i].origin.y) - stand.at.y;
+          if (x * stand.east + y * stand.north > std::abs(y * stand.east - x * stand.north)) sum += area_m2_[i];
+        }
+      }
+    return sum;
+  }
+
+ private:
+  static std::pair<std::int32_t, std::int32_t> square_of(PlanPoint p) {
+    constexpr double kFar_m = 250;
+    return {static_cast<std::int32_t>(std::floor(metres(p.x) / kFar_m)),
+            static_cast<std::int32_t>(std::floor(metres(p.y) / kFar_m))};
+  }
+  const std::vector<Sector>& sectors_;
+  std::vector<double> area_m2_;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::uint32_t>> at_;
 };
 
 void add_viewpoints(const Plan& plan, City& city) {
@@ -48,17 +86,15 @@ void add_viewpoints(const Plan& plan, City& city) {
     const auto it = best.find(c);
     if (it != best.end() && (it->second.distance < d || (it->second.distance == d && it->second.at < middle))) return;
     // Across the chord is along the street; take the direction in which more of the sector lies.
-    double heading =
-        std::atan2(-(double(b.y) - a.y), double(b.x) - a.x) * 180 / kPi;  // of the normal, clockwise from north
+    const double x = double(a.y) - b.y, y = double(b.x) - a.x, length = std::hypot(x, y);
     std::int64_t ahead = 0, behind = 0;
     for (PlanPoint p : s.ground.outer) {
       const std::int64_t side = orient(a, b, p);
       ahead = std::max(ahead, side);
       behind = std::max(behind, -side);
     }
-    if (behind > ahead) heading += 180;
-    heading = std::fmod(heading + 720, 360);
-    best[c] = {d, middle, std::round(heading * 10) / 10};
+    const double sign = behind > ahead ? -1 : 1;
+    best[c] = {d, middle, sign * x / length, sign * y / length};
   };
   for (int used = 1; used >= 0; --used)
     for (std::uint32_t t = 0; t < g.mesh.triangles.size(); ++t) {
@@ -71,6 +107,7 @@ void add_viewpoints(const Plan& plan, City& city) {
         offer(c, std::min(a, b), std::max(a, b));
       }
     }
+  const GroundAround around(city.sectors);
   for (std::uint32_t c = 0; c < city.sectors.size(); ++c) {
     const Sector& s = city.sectors[c];
     Viewpoint v;
@@ -79,8 +116,12 @@ void add_viewpoints(const Plan& plan, City& city) {
     v.name = s.name.empty() ? std::string(name_of(s.kind)) : s.name;
     const auto it = best.find(c);
     if (it != best.end()) {
-      v.at = it->second.at;
-      v.heading_deg = it->second.heading_deg;
+      // But not out of the city when it lies behind.
+      Stand stand = it->second, back = stand;
+      back.east = -stand.east, back.north = -stand.north;
+      if (around.before(back) > kMuchMore * around.before(stand)) stand = back;
+      v.at = stand.at;
+      v.heading_deg = std::fmod(std::round(std::atan2(stand.east, stand.north) * 1800 / kPi) + 3600, 3600) / 10;
     } else {  // one triangle: its centre
       std::vector<PlanPoint> p = s.ground.outer;
       const auto& i = s.ground_triangles;

@@ -12,6 +12,7 @@
 #include "tests/support/x3d_text.hpp"
 #include "x3d_export/house_body.hpp"
 #include "x3d_export/objects.hpp"
+#include "x3d_export/sector_mesh.hpp"
 
 namespace vicus {
 namespace {
@@ -138,7 +139,31 @@ TEST(SectorFiles, CloseTheCityAgainstItsEnds) {
       EXPECT_TRUE(is_inside(s.ground, x + 10 * face.normal[0], y - 10 * face.normal[2])) << "seen from the sector";
     }
     EXPECT_EQ(backdrops > 0, has_end) << s.id;
+    const std::string text = sample.near(s.id).front().text;
+    EXPECT_EQ(text.find("<ColorRGBA color='0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 0 0 0 0 0") != std::string::npos,
+              has_end)
+        << "its top fades";
   }
+}
+
+TEST(SectorFiles, HaveAllFacesWhateverTheLimit) {
+  const Sample sample;
+  std::size_t sliced = 0;
+  for (const auto& s : sample.city.sectors)
+    for (const Detail detail : {Detail::far, Detail::tall}) {
+      std::size_t expected = 0;
+      for (const Layer& layer : sector_layers(sample.index, s, detail)) expected += layer.faces.size();
+      for (std::size_t limit = 600; limit <= 4'000; limit += 20) {
+        std::size_t found = 0;
+        for (const auto& file : sector_files(sample.index, s, detail, SceneFormat::x3d, limit)) {
+          const auto faces = faces_in(file.text);  // throws at a Shape used again
+          found += faces.size();
+          sliced += std::any_of(faces.begin(), faces.end(), [](const ReadFace& f) { return f.shape == "HOUSES-2"; });
+        }
+        EXPECT_EQ(found, expected) << s.id << ", limit " << limit;
+      }
+    }
+  EXPECT_GT(sliced, 0u) << "no layer was cut";
 }
 
 TEST(SectorFiles, HaveFewShapes) {
