@@ -18,6 +18,9 @@ namespace {
 constexpr double kHighestM = 500;
 constexpr double kMostLevels = 150;
 constexpr double kDefaultM = 9, kOutbuildingM = 3;
+// Of churches by the side of a square as large: from chapels to Notre-Dame (130 x 48 m, 43 m high). Towers are slender.
+constexpr double kChurchSlenderness = 0.55, kLowestChurchM = 6, kHighestChurchM = 40;
+constexpr double kTowerSlenderness = 5, kLowestTowerM = 12, kHighestTowerM = 60;
 constexpr double kOutbuildingAreaM2 = 30;
 constexpr std::int32_t kCellMm = 25'000;
 constexpr std::int32_t kRings = 4;  // of cells around a house: 100 m
@@ -56,10 +59,30 @@ const std::string& kind_of(const Footprint& footprint) {
   return tag(footprint.tags, footprint.is_part ? "building:part" : "building");
 }
 
-/// Small things are low whatever their neighbours are.
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_tower(const Footprint& footprint) {
+  return tag(footprint.tags, "man_made") == "tower" || has_tag(footprint.tags, "tower:type") ||
+         is_one_of(kind_of(footprint), {"tower", "bell_tower", "campanile", "steeple"});
+}
+
+/// Small things are low whatever their neighbours are, but not towers.
 bool is_small(const Footprint& footprint, bool is_cut) {
   return is_outbuilding(footprint.tags) || is_open_below(footprint.tags) ||
-         (!is_cut && !footprint.is_part && area_m2(footprint.area) < kOutbuildingAreaM2);
+         (!is_cut && !footprint.is_part && !is_tower(footprint) && area_m2(footprint.area) < kOutbuildingAreaM2);
+}
+
+/// Where nothing is known of like houses near by.
+double default_height_m(const Footprint& footprint, bool is_low, bool is_cut) {
+  const double side_m = std::sqrt(area_m2(footprint.area));
+  if (is_low) return kOutbuildingM;
+  if (is_cut) return kDefaultM;  // its area says nothing
+  if (is_tower(footprint)) return std::clamp(kTowerSlenderness * side_m, kLowestTowerM, kHighestTowerM);
+  if (is_one_of(kind_of(footprint), {"church", "cathedral", "basilica", "minster", "abbey", "chapel"}))
+    return std::clamp(kChurchSlenderness * side_m, kLowestChurchM, kHighestChurchM);
+  return kDefaultM;
 }
 
 struct TaggedHeight {
@@ -191,13 +214,13 @@ void set_heights(std::vector<Footprint>& footprints, const std::vector<bool>& is
       const bool is_low = is_small(footprint, is_cut[i]);
       const auto like = is_low ? known.end() : known.find(kind_of(footprint));
       const auto median = like == known.end() ? std::nullopt : like->second.median_near(centre_of(footprint));
-      footprint.height_m = median.value_or(is_low ? kOutbuildingM : kDefaultM);
+      const double by_kind = std::round(default_height_m(footprint, is_low, is_cut[i]));
+      footprint.height_m = median && !is_tower(footprint) ? *median : by_kind;
       footprint.height_source = HeightSource::guessed;
       footprint.eave_m = footprint.height_m;
       issues.push_back({IssueCode::no_height,
-                        median   ? "No height; as its neighbours."
-                        : is_low ? "No height; 3 m."
-                                 : "No height; 9 m.",
+                        footprint.height_m == by_kind ? "No height; " + std::to_string(std::lround(by_kind)) + " m."
+                                                      : "No height; as its neighbours.",
                         footprint.source_id, footprint.area.outer[0]});
     }
     set_base(footprint, issues);

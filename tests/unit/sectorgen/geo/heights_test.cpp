@@ -59,7 +59,7 @@ TEST(Heights, AGuessIsTheMedianOfLikeNeighbours) {
   EXPECT_EQ(street[2].height_m, 12);
   EXPECT_EQ(street[2].height_source, HeightSource::guessed);
   EXPECT_EQ(street[5].height_m, 9) << "no neighbour in reach";
-  EXPECT_EQ(street[6].height_m, 9) << "no other church";
+  EXPECT_EQ(street[6].height_m, 6) << "no other church; a small one";
   EXPECT_EQ(issues.size(), 3u);
 }
 
@@ -78,6 +78,19 @@ TEST(Heights, SmallAndLowKindsStayLowBesideHighNeighbours) {
   EXPECT_EQ(street[5].height_m, 3);
   EXPECT_EQ(street[6].height_m, 3);
   EXPECT_EQ(street[7].height_m, 20);
+}
+
+TEST(Heights, ChurchesAndTowersAreGuessedByTheirSize) {
+  const auto guessed = [](Tags tags, double wide, double deep) {
+    Footprint f = house(0, std::move(tags));
+    f.area = {{{0, 0}, {lattice_mm(wide), 0}, {lattice_mm(wide), lattice_mm(deep)}, {0, lattice_mm(deep)}}, {}};
+    return with_height(f).height_m;
+  };
+  EXPECT_EQ(guessed({{"building", "church"}}, 50, 25), 19);
+  EXPECT_EQ(guessed({{"building", "cathedral"}}, 130, 48), 40);
+  EXPECT_EQ(guessed({{"building", "church"}, {"man_made", "tower"}}, 7, 7), 35);
+  EXPECT_EQ(guessed({{"building", "tower"}}, 4, 4), 20) << "small, but no shed";
+  EXPECT_EQ(guessed({{"building", "yes"}}, 50, 25), 9);
 }
 
 TEST(Heights, NonsenseIsIgnoredWithAnIssue) {
