@@ -114,6 +114,7 @@ City build_city(SourceMap map, const BuildOptions& options, std::vector<Issue> i
   write_sectors(map, plan, city);
   name_sectors(map, plan, city);
   furnish(map, plan, city);
+  add_start_views(plan, city);
   identify(options.previous, city);
   add_interiors(map, city);
   const PlanFrame frame(city.origin);

@@ -15,7 +15,11 @@ void name_sectors(const SourceMap& map, const Plan& plan, City& city);
 /// Turns index texts in gates, borders, buildings into ids, numbers gates, finds twins, sorts records by id.
 void identify(const City* previous, City& city);
 
-/// Objects and viewpoints with the sector they are in.
+/// Objects with the sector they are in.
 void furnish(const SourceMap& map, const Plan& plan, City& city);
+
+/// Where a visitor of each sector starts: on its street's axis near its middle, looking where he sees far and into the
+/// city; where that would be a wall before his nose, in another place of the sector.
+void add_start_views(const Plan& plan, City& city);
 
 }  // namespace vicus

@@ -21,9 +21,9 @@ struct Plan {
 };
 
 /// Writes sectors, gates, borders, buildings, obstacles, domain, streets into the city (ids of sectors and gates are
-/// set by identity.hpp, objects and viewpoints by furnish.hpp). In City, sector_id fields hold the sector's index as
-/// text until identity.hpp names them. Keeps   DESIGN §3 rules 1-5 by construction: rings are unions of mesh triangles,
-/// gates mesh edges. Raises  301 unmapped_street, 402 yard_closed.
+/// set by identify, objects by furnish, viewpoints by add_start_views: naming.hpp). In City, sector_id fields hold the
+/// sector's index as text until identity.hpp names them. Keeps   DESIGN §3 rules 1-5 by construction: rings are unions
+/// of mesh triangles, gates mesh edges. Raises  301 unmapped_street, 402 yard_closed.
 void write_sectors(const SourceMap& map, const Plan& plan, City& city);
 
 }  // namespace vicus
