@@ -150,14 +150,16 @@ TEST(SectorFiles, HaveAllFacesWhateverTheLimit) {
   const Sample sample;
   std::size_t sliced = 0;
   for (const auto& s : sample.city.sectors)
-    for (const Detail detail : {Detail::far, Detail::tall}) {
-      std::size_t expected = 0;
-      for (const Layer& layer : sector_layers(sample.index, s, detail)) expected += layer.faces.size();
+    for (const Detail detail : {Detail::near, Detail::far, Detail::tall}) {
+      std::map<std::string, std::size_t> expected;  // faces of each layer
+      for (const Layer& layer : sector_layers(sample.index, s, detail))
+        if (layer.name != "BACKDROP") expected[layer.name] = layer.faces.size();  // its faces are halved
       for (std::size_t limit = 600; limit <= 4'000; limit += 20) {
-        std::size_t found = 0;
+        std::map<std::string, std::size_t> found;
         for (const auto& file : sector_files(sample.index, s, detail, SceneFormat::x3d, limit)) {
           const auto faces = faces_in(file.text);  // throws at a Shape used again
-          found += faces.size();
+          for (const auto& face : faces)
+            if (const auto layer = face.shape.substr(0, face.shape.find('-')); expected.contains(layer)) ++found[layer];
           sliced += std::any_of(faces.begin(), faces.end(), [](const ReadFace& f) { return f.shape == "HOUSES-2"; });
         }
         EXPECT_EQ(found, expected) << s.id << ", limit " << limit;
