@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "city_db/blockmap.hpp"
+#include "cli/measure_ground_mesh.hpp"
 #include "cli/measure_memory.hpp"
 #include "cli/measure_prism_mesh.hpp"
 #include "cli/measure_tile_choice.hpp"
 #include "cli/measure_tile_tracer.hpp"
 #include "sectorgen/bake/bake_blockmap.hpp"
+#include "sectorgen/bake/bake_ground.hpp"
 #include "sectorgen/bake/bake_prisms.hpp"
 #include "sectorgen/bake/bake_tree.hpp"
 #include "x3d_export/coding.hpp"
@@ -73,6 +75,7 @@ class TileForm : public Representation {
         out.decode_cpu_ms += cpu_ms() - start;
       }
     }
+    if (has_ground_tiles()) add_ground_of(parts, out, mesh);
     out.memory_bytes += memory_of(mesh);
     city_.add_sheet(mesh);
     out.tracer = std::make_shared<TileTracer>(std::move(casts), std::move(mesh));
@@ -84,6 +87,7 @@ class TileForm : public Representation {
   virtual double error_m(const TileAddress& at) { return made(at).error_m; }
   virtual MadeTile make(const TileAddress& at) = 0;
   virtual bool draws_all_prisms() const { return false; }
+  virtual bool has_ground_tiles() const { return false; }  ///< prisms come with a file of ground each
 
   const MadeTile& made(const TileAddress& at) {
     const auto known = made_.find(at);
@@ -128,7 +132,48 @@ class TileForm : public Representation {
   const int levels_;
 
  private:
+  struct MadeGround {
+    std::uint64_t bytes = 0;
+    double decode_cpu_ms = 0;
+    ReadGround read;
+  };
+  const MadeGround& ground(const TileAddress& at) {
+    const auto known = grounds_.find(at);
+    if (known != grounds_.end()) return known->second;
+    const std::string bytes = encode_ground(bake_ground(city_.bake_scene(), corner(at), side_mm(at)));
+    MadeGround made;
+    made.bytes = std::min(brotli(bytes, kBrotli).size(), bytes.size());
+    // Light from the sky is left out, as with BlockMaps: the truth has none.
+    const std::string shown = encode_ground(bake_ground(city_.bake_scene(), corner(at), side_mm(at), false));
+    const double start = cpu_ms();
+    made.read = read_ground(decode_ground(shown).value());
+    made.decode_cpu_ms = cpu_ms() - start;
+    return grounds_.emplace(at, std::move(made)).first->second;
+  }
+
+  /// Of the tiles drawn as prisms, and where a tile above them lacks a child, that one's quadrant (paper 001, Fig. 8).
+  void add_ground_of(const Parts& parts, Shown& out, RenderMesh& mesh) {
+    std::map<TileAddress, unsigned> quadrants;
+    std::vector<TileAddress> drawn;
+    for (const std::string& part : parts) drawn.push_back(parse_tile(part, levels_).value());
+    for (const TileAddress& at : drawn)
+      if (made(at).prisms) quadrants[at] = kWholeTile;
+    const std::set<TileAddress> refined = above(drawn), leaves(drawn.begin(), drawn.end());
+    for (const TileAddress& at : refined)
+      for (int child = 0; child < 4; ++child)
+        if (!refined.contains(child_of(at, child)) && !leaves.contains(child_of(at, child)))
+          quadrants[at] |= 1u << child;
+    for (const auto& [at, which] : quadrants) {
+      const MadeGround& made = ground(at);
+      const double start = cpu_ms();
+      add_ground(mesh, made.read, which);
+      out.decode_cpu_ms += made.decode_cpu_ms + cpu_ms() - start;
+      out.files.push_back({vicus::tile_path(at, TileKind::ground), made.bytes});
+    }
+  }
+
   std::map<TileAddress, MadeTile> made_;
+  std::map<TileAddress, MadeGround> grounds_;
   std::map<TileAddress, std::size_t> houses_;
 };
 
@@ -183,6 +228,7 @@ class PrismTiles : public TileForm {
     return houses(at) > kMostPrisms ? std::numeric_limits<double>::infinity() : TileForm::error_m(at);
   }
   MadeTile make(const TileAddress& at) override { return prisms(at); }
+  bool has_ground_tiles() const override { return true; }
 };
 
 class ClientTiles : public TileForm {
@@ -201,6 +247,7 @@ class ClientTiles : public TileForm {
     return prisms(at);
   }
   bool draws_all_prisms() const override { return true; }
+  bool has_ground_tiles() const override { return true; }
 };
 
 }  // namespace

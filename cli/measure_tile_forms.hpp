@@ -8,7 +8,7 @@ namespace vicus::measure {
 
 /// As the flying client takes them: prisms, BlockMaps of 128 cells where the houses are too many.
 Form client_tiles(SharedCity& city, double tau_px);
-/// Prisms alone: they have houses, no ground.
+/// Prisms alone, each with its tile of ground.
 Form prism_tiles(SharedCity& city, double tau_px);
 /// Our BlockMaps of `cells` x `cells`; sent as brotli of the whole.
 Form blockmap_tiles(SharedCity& city, std::uint32_t cells, double tau_px);

@@ -50,7 +50,7 @@ std::uint8_t darkened(std::uint8_t colour, std::uint8_t ambient) {
 
 }  // namespace
 
-GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm) {
+GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t tile_side_mm, bool with_ambient) {
   GroundTile tile;
   tile.corner = corner;
   tile.tile_side_mm = tile_side_mm;
@@ -65,8 +65,8 @@ GroundTile bake_ground(const BakeScene& scene, PlanPoint corner, std::uint32_t t
 
   const TileFrame frame{corner, 2 * kPictureSide, tile_side_mm, {}};
   RgbImage picture = filled_colours(scene, frame, !has_standing_trees(scene, corner, tile_side_mm));
-  const auto ambient = ambient_light(scene, frame);  // south row first
-  for (std::size_t row = 0; row < kPictureSide; ++row)
+  const auto ambient = with_ambient ? ambient_light(scene, frame) : std::vector<std::uint8_t>{};  // south row first
+  for (std::size_t row = 0; with_ambient && row < kPictureSide; ++row)
     for (std::size_t column = 0; column < kPictureSide; ++column) {
       const Colour c = picture.at(column, row);
       const std::uint8_t a = ambient[(kPictureSide - 1 - row) * kPictureSide + column];

@@ -107,6 +107,25 @@ TEST_F(SampleForms, DecodedGlbLooksAsLevelThree) {
   }
 }
 
+/// Close above a carriageway all is ground, and its picture has the colour of what lies there.
+TEST_F(SampleForms, PrismsStandOnTheirGround) {
+  Pose above = air();
+  above.eye = {-9, -1, 4}, above.look = {-9, -0.9, 0};
+  const View truth = look(*truth_of(*shared_), above);
+  RenderMesh bare;
+  shared_->add_sheet(bare);
+  const double without = flip_mean(truth.colour, look(MeshTracer(std::move(bare)), above).colour);
+  for (const double tau : {0.01, 100000.0}) {
+    const Form form = form_makers({"prisms"}, {tau}).front().make(*shared_);
+    const Shown shown = form->show(form->choose(above, 500, {}));
+    std::size_t grounds = 0;
+    for (const SentFile& file : shown.files) grounds += file.path.ends_with(".ground");
+    EXPECT_GT(grounds, 0u);
+    const double with_ground = flip_mean(truth.colour, look(*shown.tracer, above).colour);
+    EXPECT_LT(with_ground, 0.3 * without) << tau;
+  }
+}
+
 TEST_F(SampleForms, SmallerTauRefinesTilesAndSendsMore) {
   for (const char* key : {"blockmap32", "paper2007-32", "glb-draco", "glb-meshopt"}) {
     double bytes = 0;
