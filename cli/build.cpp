@@ -114,7 +114,7 @@ void fill_meta(const Arguments& arguments, const SourceMap& map, City& city) {
   for (const auto& input : arguments.inputs) names.push_back(std::filesystem::path(input).filename().string());
   city.meta["name"] = !arguments.name.empty() ? arguments.name
                       : !map.name.empty()     ? map.name
-                                              : name_from_file(names.front());
+                                              : name_from_file(std::filesystem::absolute(arguments.inputs.front()));
   if (!arguments.terrain.empty()) names.push_back(std::filesystem::path(arguments.terrain).filename().string());
   city.meta["sources"] = lines(names);
   city.meta["licences"] = lines(map.licences);
@@ -289,7 +289,8 @@ void add_build(CLI::App& app, Context& context) {
                    "houses as models: CityJSON, CityGML")
       ->required();
   command->add_option("-o,--output", arguments->output, "the city file to write")->required();
-  command->add_option("--name", arguments->name, "the city's name; else the map's own, else the first file's");
+  command->add_option("--name", arguments->name,
+                      "the city's name; else the map's own, else the first file's or its folder's");
   command->add_option("--boundary", arguments->boundary, "a polygon file: what belongs to the city");
   command->add_option("--buildings", arguments->buildings, "FILE or FILE:LAYER with the footprints");
   command->add_option("--streets", arguments->streets, "FILE or FILE:LAYER with the centre lines");

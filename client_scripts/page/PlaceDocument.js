@@ -36,6 +36,13 @@ export class PlaceDocument {
         this.write(here, viewpoints);
     }
 
+    /** Of who flies where no place is told of yet: over water, roofs, open land. */
+    showAbove(city) {
+        if (this.shown) return;
+        this.at('document-title').textContent = `Above ${city || 'the city'}`;
+        this.at('document-lead').textContent = 'Over streets and squares it says here what is below.';
+    }
+
     async fetchDetails(id) {
         const response = await fetch(`${this.base}${id}.json`);
         if (!response.ok) throw new Error(`${response.status}`);

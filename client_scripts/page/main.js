@@ -163,7 +163,7 @@ function showSide(parts) {
     return null;
 }
 
-function showSideAbove({ view, visit, flight, plan, map, paper, dialog }) {
+function showSideAbove({ view, world, visit, flight, plan, map, paper, dialog }) {
     const pose = view.pose(), { flyover, flyer } = flight;
     plan.around(pose.east, pose.north, 1);
     const below = plan.sectorAt(pose.east, pose.north);
@@ -173,6 +173,7 @@ function showSideAbove({ view, visit, flight, plan, map, paper, dialog }) {
     if (hud.isShown('side')) {
         map.show(pose, visit.sectors, undefined);
         if (below) paper.show({ names: [], gates: [], ...below }, []);
+        else paper.showAbove(world.name);
     }
     if (hud.isShown('settings')) dialog.showFigures(figuresAbove(flight));
 }

@@ -11,7 +11,8 @@ namespace vicus {
 /// Empty where it has none, or several of that size: then no one of them names the map.
 std::string name_in_map(const RawMap& map);
 
-/// A file's name made readable: "old-town.osm.pbf" -> "Old Town".
+/// A file's name made readable: "old-town.osm.pbf" -> "Old Town". Where that is the name of a layer, its folder's:
+/// "berlin-mitte/buildings.geojsonl.gz" -> "Berlin Mitte".
 std::string name_from_file(const std::filesystem::path& file);
 
 }  // namespace vicus

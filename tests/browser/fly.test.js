@@ -154,6 +154,9 @@ for (const [name, make] of Object.entries(made)) test(`flying over ${name}`, { t
         await page.goto(`${server.origin}/${linkOf([0, -200, 150, 0, -40])}`);
         await page.waitForFunction(() => window.vicus?.flight.isUp, null, { timeout: 120000 });
         await settle(page);
+        await page.keyboard.press('KeyM');   // the document has a title wherever one is
+        await page.waitForFunction(() => /\w/.test(document.getElementById('document-title').textContent), null, { timeout: 30000 });
+        await page.keyboard.press('KeyM');
         await click(roof);
         await page.waitForFunction(() => window.vicus.flight.glide, null, { timeout: 30000 });
         await page.waitForFunction(() => !window.vicus.flight.glide, null, { timeout: 60000 });

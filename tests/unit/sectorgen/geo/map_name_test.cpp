@@ -46,6 +46,10 @@ TEST(NameFromFile, IsReadable) {
   EXPECT_EQ(name_from_file("köln altstadt.gpkg"), "Köln Altstadt");
   EXPECT_EQ(name_from_file("GRAZ"), "GRAZ");
   EXPECT_EQ(name_from_file(".hidden.osm"), ".hidden");
+  EXPECT_EQ(name_from_file("/maps/berlin-mitte/buildings.geojsonl.gz"), "Berlin Mitte");
+  EXPECT_EQ(name_from_file("/maps/graz/Buildings.shp"), "Graz");
+  EXPECT_EQ(name_from_file("/buildings.shp"), "Buildings");
+  EXPECT_EQ(name_from_file("buildings.shp"), "Buildings");
 }
 
 }  // namespace
