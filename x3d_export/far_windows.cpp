@@ -10,28 +10,34 @@
 namespace vicus {
 namespace {
 
-constexpr double kLow[] = {0.3, 0.28}, kHigh[] = {0.7, 0.82};  // the window's rims, shares across and upwards
-constexpr double kGlass = 0.45;                                // of the wall's light
+// Texels of the window, from left and below, rims on whole texels: they are seen sharp from near. One texel of frame
+// all round, and one across.
+constexpr int kLeft = 5, kRight = 11, kBottom = 4, kTop = 13, kTransom = 9;
+constexpr int kWall = 255, kFrame = 205, kGlass = 95;
 constexpr double kLeastWall_m = 2.2;
 
-/// Share of texel i, counted from the left or from below, that is window along one axis.
-double covered(int i, int axis) {
-  const double low = std::max(kLow[axis] * kWindowTexels, double(i)),
-               high = std::min(kHigh[axis] * kWindowTexels, i + 1.0);
-  return std::max(0.0, high - low);
+/// Grey of a texel, counted from the left and from below.
+constexpr int grey(int column, int row) {
+  if (column < kLeft || column >= kRight || row < kBottom || row >= kTop) return kWall;
+  const bool is_rim = column == kLeft || column == kRight - 1 || row == kBottom || row == kTop - 1;
+  return is_rim || row == kTransom ? kFrame : kGlass;
 }
 
 /// Of the pattern's light.
-constexpr double kMean = 1 - (kHigh[0] - kLow[0]) * (kHigh[1] - kLow[1]) * (1 - kGlass);
+constexpr double mean_light() {
+  int sum = 0;
+  for (int row = 0; row < kWindowTexels; ++row)
+    for (int column = 0; column < kWindowTexels; ++column) sum += grey(column, row);
+  return sum / (255.0 * kWindowTexels * kWindowTexels);
+}
+constexpr double kMean = mean_light();
 
 }  // namespace
 
 std::vector<std::int32_t> window_pattern() {
   std::vector<std::int32_t> out;
   for (int row = 0; row < kWindowTexels; ++row)
-    for (int column = 0; column < kWindowTexels; ++column)
-      out.push_back(
-          static_cast<std::int32_t>(std::lround(255 * (1 - covered(column, 0) * covered(row, 1) * (1 - kGlass)))));
+    for (int column = 0; column < kWindowTexels; ++column) out.push_back(grey(column, row));
   return out;
 }
 
@@ -61,12 +67,14 @@ Node windowed_shape(const std::string& def, std::span<const Face> faces) {
   Node shape = shape_of(def, Shading::solid, bare);
   std::vector<double> numbers;
   for (const auto& place : places.items()) numbers.insert(numbers.end(), place.begin(), place.end());
-  Node coordinate("TextureCoordinate"), texture("PixelTexture");
+  Node coordinate("TextureCoordinate"), texture("PixelTexture"), properties("TextureProperties");
   coordinate.set("point", std::move(numbers));
   std::vector<std::int32_t> image{kWindowTexels, kWindowTexels, 1};  // width, height, components
   const auto pattern = window_pattern();
   image.insert(image.end(), pattern.begin(), pattern.end());
   texture.set("image", std::move(image));
+  properties.set("generateMipMaps", true).set("minificationFilter", std::string("AVG_PIXEL_AVG_MIPMAP"));
+  texture.add("textureProperties", properties.set("magnificationFilter", std::string("NEAREST_PIXEL")));
   for (NodeField& field : shape.nodes) {
     Node& node = field.nodes.at(0);
     if (field.name == "appearance") node.add("texture", texture);

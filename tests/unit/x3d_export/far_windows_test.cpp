@@ -75,6 +75,8 @@ TEST(FarWindows, AreNoneInWallsTooShortForOne) {
 TEST(FarWindows, AreWrittenInEveryFormat) {
   const Node shape = windowed_shape("HOUSES", house());
   EXPECT_NE(written(shape, SceneFormat::vrml).find("image 16 16 1 255"), std::string::npos);
+  EXPECT_EQ(written(shape, SceneFormat::vrml).find("TextureProperties"), std::string::npos) << "VRML97 has none";
+  EXPECT_NE(written(shape).find("magnificationFilter='NEAREST_PIXEL'/>"), std::string::npos) << "sharp from near";
   EXPECT_NE(written(shape, SceneFormat::x3dj).find("\"@image\":[16,16,1,255"), std::string::npos);
 }
 
