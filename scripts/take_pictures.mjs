@@ -16,6 +16,7 @@ try {
     const visitor = await Visitor.open(browser.context, origin);
     const cold = await visitor.streetTime();
     await visitor.settle(120);
+    await visitor.page.waitForFunction(() => !document.body.innerText.includes('loading '), null, { timeout: 60000 });
     await visitor.page.screenshot({ path: join(folder, 'street.png') });
     await visitor.page.close();
     const again = await Visitor.open(browser.context, origin);
