@@ -17,6 +17,7 @@ constexpr double kBeside = 0.2;      // rad: to both sides of the middle of a vi
 constexpr double kOutside = 0.25;    // worth of a look out of the city
 constexpr double kAlong = 1.25;      // worth of a look along the street
 constexpr int kHeadings = 16;        // all round
+constexpr int kMostSteps = 4096;     // of a look, triangle by triangle: none goes round a corner for ever
 constexpr std::size_t kPlaces = 24;  // looked at where the first is no good
 
 /// A place to stand at: the middle of a line across the sector, in triangle t.
@@ -72,7 +73,8 @@ class Looker {
       }
     std::uint32_t t = place.triangle;
     int entry = -1;
-    for (double mm = 0; mm < least;) {
+    double mm = 0;
+    for (int steps = 0; mm < least && steps < kMostSteps; ++steps) {
       int k = 0;
       while (k < 3 && (k == entry || side_of(g_.from(t, k)) > 0 || side_of(g_.to(t, k)) < 0)) ++k;
       if (k == 3) return mm / kMmPerMetre;  // through a corner
@@ -82,7 +84,7 @@ class Looker {
       entry = g_.mesh.twin_side(t, k);
       t = g_.beyond(t, k);
     }
-    return least / kMmPerMetre;
+    return std::min(mm, least) / kMmPerMetre;
   }
 
   const Ground& g_;
