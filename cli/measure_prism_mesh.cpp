@@ -1,18 +1,65 @@
 #include "cli/measure_prism_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
 
 #include "city_db/issues.hpp"
+#include "cli/measure_memory.hpp"
 #include "sectorgen/bake/facade_sums.hpp"
 #include "sectorgen/geom/triangulation.hpp"
 
 namespace vicus::measure {
 namespace {
 
+// As the client's walls are (client_scripts/core/prismMesh.js), and its shader's windows (x3d/flyover.frag).
+constexpr double kWindowWidth_m = 2.7, kStorey_m = 3.1, kBlind_m = 2.2;
+constexpr double kWindowLow[] = {0.29, 0.3}, kWindowHigh[] = {0.71, 0.84}, kOpaque = 0.8;
+constexpr std::array<double, 3> kGlass{0.27, 0.31, 0.36};
+
+/// What the shader paints, as images: one for each colour of wall.
+class WindowImages {
+ public:
+  explicit WindowImages(RenderMesh& mesh) : mesh_(mesh) {}
+
+  std::uint32_t on(Colour wall) {
+    const auto [known, is_new] = number_.emplace(wall, static_cast<std::uint32_t>(mesh_.images.size()));
+    if (is_new) mesh_.images.push_back(painted(wall));
+    return known->second;
+  }
+  double memory_bytes() const { return double(number_.size()) * kPixel_bytes * kTexels * kTexels; }
+
+ private:
+  static constexpr int kTexels = 32;
+
+  /// Share of texel i that is window along one axis, from the left or from below.
+  static double covered(int i, std::size_t axis) {
+    const double low = std::max(kWindowLow[axis] * kTexels, double(i)),
+                 high = std::min(kWindowHigh[axis] * kTexels, i + 1.0);
+    return std::max(0.0, high - low);
+  }
+
+  static std::shared_ptr<const RepeatedImage> painted(Colour wall) {
+    Picture picture(kTexels, kTexels);
+    const std::array<double, 3> own{wall.r / 255.0, wall.g / 255.0, wall.b / 255.0};
+    for (int row = 0; row < kTexels; ++row)
+      for (int column = 0; column < kTexels; ++column) {
+        const double share = kOpaque * covered(column, 0) * covered(kTexels - 1 - row, 1);
+        for (std::size_t k = 0; k < 3; ++k)
+          picture.at(column, row)[k] = static_cast<float>(own[k] + share * (kGlass[k] - own[k]));
+      }
+    return std::make_shared<RepeatedImage>(opaque(picture));
+  }
+
+  RenderMesh& mesh_;
+  std::map<Colour, std::uint32_t> number_;
+};
+
 struct HouseMesh {
   RenderMesh& mesh;
+  WindowImages& windows;
   const PrismTile& tile;
   const PrismHouse& house;
   double ground_m, eave_m, top_m;
@@ -28,13 +75,23 @@ struct HouseMesh {
   }
 
   void add_walls() const {
-    const double top = house.kind == PrismKind::flat ? top_m : eave_m;
+    const double top = house.kind == PrismKind::flat ? top_m : eave_m, height = top - ground_m;
+    const auto storeys = static_cast<float>(std::max(1.0, std::round(height / kStorey_m)));
     for (const auto& ring : house.rings)
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const PlanPoint p = ring[i], q = ring[(i + 1) % ring.size()];
         const auto a = at(p.x, p.y, ground_m), b = at(q.x, q.y, ground_m), c = at(q.x, q.y, top), d = at(p.x, p.y, top);
-        add(wall, a, b, c);
-        add(wall, a, c, d);
+        const double wide = metres(tile.step_mm) * std::hypot(double(q.x) - p.x, double(q.y) - p.y);
+        RenderTriangle lower = wall, upper = wall;
+        if (wide >= kBlind_m && height >= kBlind_m) {
+          const auto bays = static_cast<float>(std::max(1.0, std::round(wide / kWindowWidth_m)));
+          lower.image = upper.image = windows.on(wall.colour);
+          lower.places = static_cast<std::uint32_t>(mesh.places.size()), upper.places = lower.places + 1;
+          mesh.places.push_back({{{0, 0}, {bays, 0}, {bays, storeys}}});
+          mesh.places.push_back({{{0, 0}, {bays, storeys}, {0, storeys}}});
+        }
+        add(lower, a, b, c);
+        add(upper, a, c, d);
       }
   }
 
@@ -169,12 +226,13 @@ void add_tree(RenderMesh& mesh, const PrismTile& tile, const PrismTree& tree) {
 
 }  // namespace
 
-void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
+double add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
+  WindowImages windows(mesh);
   const double up = metres(tile.up_step_mm);
   for (const PrismHouse& house : tile.houses) {
     if (!house.is_owned && !all) continue;
     const double ground = metres(tile.base_mm) + up * house.ground, eave = ground + up * house.eave;
-    HouseMesh h{mesh, tile, house, ground, eave, eave + up * house.rise};
+    HouseMesh h{mesh, windows, tile, house, ground, eave, eave + up * house.rise};
     h.wall.colour = tile.palette[house.wall];
     h.roof.colour = tile.palette[house.roof];
     h.add_walls();
@@ -188,6 +246,7 @@ void add_prisms(RenderMesh& mesh, const PrismTile& tile, bool all) {
       h.add_ridged(house.kind == PrismKind::hipped);
   }
   for (const PrismTree& tree : tile.trees) add_tree(mesh, tile, tree);
+  return windows.memory_bytes();
 }
 
 }  // namespace vicus::measure

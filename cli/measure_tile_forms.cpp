@@ -71,7 +71,7 @@ class TileForm : public Representation {
       if (tile.cast) casts.push_back(tile.cast);
       if (tile.prisms) {
         const double start = cpu_ms();
-        add_prisms(mesh, *tile.prisms, draws_all_prisms());
+        out.memory_bytes -= add_prisms(mesh, *tile.prisms, draws_all_prisms());
         out.decode_cpu_ms += cpu_ms() - start;
       }
     }

@@ -5,6 +5,7 @@
 #include "city_db/issues.hpp"
 #include "city_db/surroundings.hpp"
 #include "cli/measure_glb_mesh.hpp"
+#include "cli/measure_memory.hpp"
 #include "cli/measure_prism_mesh.hpp"
 #include "cli/measure_sector_forms.hpp"
 #include "cli/measure_sector_parts.hpp"
@@ -146,7 +147,11 @@ TEST_F(SampleForms, SmallerTauRefinesTilesAndSendsMore) {
 TEST_F(SampleForms, PrismsStandWhereHousesStand) {
   const BakeScene& scene = shared_->bake_scene();
   RenderMesh mesh;
-  add_prisms(mesh, bake_prisms(scene, {-128'000, -128'000}, 256'000), true);
+  const double painted_bytes = add_prisms(mesh, bake_prisms(scene, {-128'000, -128'000}, 256'000), true);
+  EXPECT_FALSE(mesh.images.empty()) << "walls have windows";
+  RenderMesh walls_alone = mesh;
+  walls_alone.images.clear();
+  EXPECT_NEAR(memory_of(mesh) - painted_bytes, memory_of(walls_alone), 1) << "which a shader paints";
   const RayScene rays(std::move(mesh));
   for (const BakeHouse& house : scene.houses()) {
     const double x = metres((std::int64_t{house.box.min.x} + house.box.max.x) / 2),
