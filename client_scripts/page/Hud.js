@@ -58,10 +58,10 @@ export class Hud {
         this.at('rights').textContent = text;
     }
 
-    /** `share` in 0..1; 1 hides the bar. With `files` of `allFiles`, `bytes` of `allBytes`: in words, too. */
-    showProgress({ share, files = 0, allFiles = 0, bytes = 0, allBytes = 0 }) {
-        const bar = this.at('progress'), percent = Math.round(100 * Math.min(1, share));
-        const isDone = share >= 1 || (allFiles > 0 && files === allFiles);
+    /** `share` in 0..1; 1 hides the bar, unless what has come is not all shown. With `files` of `allFiles`, `bytes` of `allBytes`: in words, too. */
+    showProgress({ share, files = 0, allFiles = 0, bytes = 0, allBytes = 0, isShown = true }) {
+        const bar = this.at('progress'), percent = Math.round(100 * Math.min(isShown ? 1 : 0.99, share));
+        const isDone = isShown && (share >= 1 || (allFiles > 0 && files === allFiles));
         bar.hidden = isDone;
         bar.firstElementChild.style.width = `${percent}%`;
         bar.setAttribute('aria-valuenow', String(percent));

@@ -151,7 +151,8 @@ function showSideSometimes(parts) {
 function showSide(parts) {
     if (parts.flight.isUp) return showSideAbove(parts);
     const { view, visit, travel, plan, map, paper, dialog } = parts, pose = view.pose(), progress = visit.files.progress(visit.missing(pose));
-    hud.showProgress({ share: visit.here ? 0.2 + 0.8 * progress.bytes / progress.allBytes : 0.3, ...progress });
+    const isShown = visit.sectors.every(({ phase }) => phase !== 'loading');   // what has come may still wait to be read
+    hud.showProgress({ share: visit.here ? 0.2 + 0.8 * progress.bytes / progress.allBytes : 0.3, ...progress, isShown });
     for (const record of visit.records) plan.addRecord(record);
     travel.learnViewpoints();
     hud.showStatus({ i: visit.level, isMeasured: settings.level === null, files: visit.sectors.length });
