@@ -17,6 +17,7 @@ try {
     const cold = await visitor.streetTime();
     await visitor.settle(120);
     await visitor.page.waitForFunction(() => !document.body.innerText.includes('loading '), null, { timeout: 60000 });
+    await visitor.page.waitForTimeout(5000);   // what is live stands in the scene before it stands in a frame, and i may grow
     await visitor.page.screenshot({ path: join(folder, 'street.png') });
     await visitor.page.close();
     const again = await Visitor.open(browser.context, origin);

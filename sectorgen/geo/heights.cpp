@@ -215,12 +215,13 @@ void set_heights(std::vector<Footprint>& footprints, const std::vector<bool>& is
       const auto like = is_low ? known.end() : known.find(kind_of(footprint));
       const auto median = like == known.end() ? std::nullopt : like->second.median_near(centre_of(footprint));
       const double by_kind = std::round(default_height_m(footprint, is_low, is_cut[i]));
-      footprint.height_m = median && !is_tower(footprint) ? *median : by_kind;
+      const bool is_like_others = median && !is_tower(footprint);
+      footprint.height_m = is_like_others ? *median : by_kind;
       footprint.height_source = HeightSource::guessed;
       footprint.eave_m = footprint.height_m;
       issues.push_back({IssueCode::no_height,
-                        footprint.height_m == by_kind ? "No height; " + std::to_string(std::lround(by_kind)) + " m."
-                                                      : "No height; as its neighbours.",
+                        is_like_others ? "No height; as its neighbours."
+                                       : "No height; " + std::to_string(std::lround(by_kind)) + " m.",
                         footprint.source_id, footprint.area.outer[0]});
     }
     set_base(footprint, issues);
