@@ -14,11 +14,6 @@
 namespace vicus::measure {
 namespace {
 
-// As the client's walls are (client_scripts/core/prismMesh.js), and its shader's windows (x3d/flyover.frag).
-constexpr double kWindowWidth_m = 2.7, kStorey_m = 3.1, kBlind_m = 2.2;
-constexpr double kWindowLow[] = {0.29, 0.3}, kWindowHigh[] = {0.71, 0.84}, kOpaque = 0.8;
-constexpr std::array<double, 3> kGlass{0.27, 0.31, 0.36};
-
 /// What the shader paints, as images: one for each colour of wall.
 class WindowImages {
  public:

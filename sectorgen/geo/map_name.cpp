@@ -9,11 +9,6 @@ namespace {
 
 using Names = std::set<std::string>;
 
-std::string folded(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
 template <class Wanted>
 Names names_of(const RawMap& map, const Wanted& is_wanted) {
   Names names;
@@ -42,7 +37,7 @@ std::string name_from_file(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   if (const auto dot = name.find('.', 1); dot != std::string::npos) name.resize(dot);
   const std::string folder = file.parent_path().filename().string();
-  if (kLayers.contains(folded(name)) && !folder.empty() && folder != "." && folder != "..") name = folder;
+  if (kLayers.contains(lower_case(name)) && !folder.empty() && folder != "." && folder != "..") name = folder;
   bool begins = true;
   for (char& c : name) {
     if (c == '-' || c == '_' || c == ' ') {

@@ -163,6 +163,23 @@ TEST_F(SampleForms, PrismsStandWhereHousesStand) {
   }
 }
 
+TEST(PrismWindows, AreTheClients) {
+  const std::string mesh = test::read_bytes(VICUS_TESTS "/../client_scripts/core/prismMesh.js"),
+                    shader = test::read_bytes(VICUS_TESTS "/../client_scripts/x3d/flyover.frag");
+  const auto said = [](const char* format, auto... values) {
+    char text[128];
+    std::snprintf(text, sizeof text, format, values...);
+    return std::string(text);
+  };
+  const std::string walls = said("kWindowWidth = %g, kStorey = %g, kBlind = %g;", kWindowWidth_m, kStorey_m, kBlind_m);
+  EXPECT_NE(mesh.find(walls), std::string::npos) << walls;
+  for (const std::string& line : {said("kGlass = vec3(%g, %g, %g);", kGlass[0], kGlass[1], kGlass[2]),
+                                  said("kWindowLow = vec2(%g, %g), kWindowHigh = vec2(%g, %g);", kWindowLow[0],
+                                       kWindowLow[1], kWindowHigh[0], kWindowHigh[1]),
+                                  said("mix(own, kGlass, %g * share.x * share.y)", kOpaque)})
+    EXPECT_NE(shader.find(line), std::string::npos) << line;
+}
+
 TEST_F(SampleForms, TilesAreMetWhereTheirCasterMeetsThem) {
   const BlockMap map = bake_blockmap(shared_->bake_scene(), {-128'000, 0}, 128'000);
   const BlockMapCaster caster(map);
